@@ -62,8 +62,8 @@ inline glm::dmat4 to_double(const SceneInstance& instance) {
 
 struct SceneNode {
   std::string name;
-  // extras.nightcity.kind: "city", "terrain", "road", "barrier", "lamp", "window", "tree",
-  // "vehicle" or "horizon"; "" in files of others.
+  // extras.nightcity.kind: "city", "terrain", "road", "bridge", "barrier", "lamp", "window",
+  // "tree", "vehicle" or "horizon"; "" in files of others.
   std::string kind;
   std::uint32_t mesh = 0;
   // extras.nightcity.casts_shadow. False: cameras see the node, shadow rays pass through it.

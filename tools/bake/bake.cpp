@@ -17,6 +17,7 @@
 #include "tools/bake/parts/read_parts.h"
 #include "tools/bake/report/report_text.h"
 #include "tools/bake/report/stage_clock.h"
+#include "tools/bake/scene/bridge_models.h"
 #include "tools/bake/scene/horizon_model.h"
 #include "tools/bake/scene/scene_tiles.h"
 #include "tools/bake/scene/tree_models.h"
@@ -71,6 +72,7 @@ class Bake {
     read_city();
     build_ground();
     Georeference georeference = city_.georeference(tiles_.middle());
+    build_bridges();
     build_barriers();
     report_.tiles = tiles_.write(georeference, city_, progress_);
     clock_.end_stage("tiles");
@@ -111,13 +113,17 @@ class Bake {
         city_.build_ground({&tiles_, windows_ ? &*windows_ : nullptr},
                            [this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
     report_.gaps = city_.gaps();
-    const ground_cover::Cover& cover = city_.cover();
-    report_.cover = {cover.areas().size(), cover.markings,  cover.left_out,  cover.assumed,
-                     cover.tracks_m,       cover.parking_m, cover.left_out_m};
+    report_.cover.add(city_.cover());
     tiles_.drape(city_.height_at());
     if (tiles_.empty())
       throw Error(options_.city.files.front().string(), describe_emptiness(options_, report_.city));
     clock_.end_stage("terrain");
+  }
+
+  void build_bridges() {
+    add_bridge_models(city_, tiles_, report_.bridges);
+    for (const auto& [layer, cover] : city_.bridges().covers()) report_.cover.add(cover);
+    clock_.end_stage("bridges");
   }
 
   void build_barriers() {
@@ -125,7 +131,7 @@ class Bake {
     if (!options_.city.cover.barriers || !extent || !city_.frame().has_lon_lat()) return;
     barriers::BarrierSet found =
         barriers::find_barriers(city_.map(), city_.cover(), {extent->low, extent->high},
-                                city_.to_frame(), city_.height_at(), city_.inside_footprint());
+                                city_.to_frame(), city_.height_at(), find_obstacles());
     const auto add = [&](const auto& barrier) {
       const std::vector<barriers::Corners> surface = barriers::make_shape(barrier);
       report_.barriers.triangles += surface.size();
@@ -150,10 +156,17 @@ class Bake {
     if (season == trees::Season::none || !extent || !city_.frame().has_lon_lat()) return;
     const trees::TreeSet found =
         trees::find_trees(city_.map(), city_.cover(), {extent->low, extent->high}, city_.to_frame(),
-                          city_.height_at(), city_.inside_footprint());
+                          city_.height_at(), find_obstacles());
     add_tree_models(scene_, found.trees, season, georeference);
     report_.trees = {found.sources, found.left_out, found.assumed_sizes};
     clock_.end_stage("trees");
+  }
+
+  // Returns where neither trees nor barriers stand: in buildings, and below bridges.
+  place::InsideBuilding find_obstacles() const {
+    return [this, inside = city_.inside_footprint()](const glm::dvec2& place) {
+      return (inside && inside(place)) || city_.bridges().decks().covers(place);
+    };
   }
 
   // Gives `georeference` the identity that both files carry.

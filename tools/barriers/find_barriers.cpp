@@ -25,7 +25,7 @@ constexpr double step_m = 0.5;
 // Ground between the points of a 10 m grid is flat enough (as for draped streets).
 constexpr double max_edge_m = 10;
 
-const char* const in_building = "in a building";
+const char* const in_building = "in a building or below a bridge";
 const char* const on_carriageway = "on a carriageway";
 const char* const beyond_ground = "beyond the ground";
 const char* const opening = "open at gates and paths";

@@ -78,6 +78,25 @@ void add_parking(const ParkingLane& lane, Roadside& side) {
     side.pavement_m = std::max(side.pavement_m, lane.beyond_edge_m());
 }
 
+// A way that is below ground on all its levels. A layer alone only says what crosses above what:
+// a street in a cutting lies open.
+bool lies_below(const osm::OsmTags& tags, const char* key) {
+  const auto found = tags.find(key);
+  if (found == tags.end()) return false;
+  bool below = false;
+  for (std::string_view part : osm::split_list(found->second)) {
+    const auto number = osm::take_number(part);
+    if (!number || *number >= 0 || !part.empty()) return false;
+    below = true;
+  }
+  return below;
+}
+
+bool is_covered(const osm::OsmTags& tags) {
+  const std::string covered = tag_of(tags, "covered");
+  return !covered.empty() && covered != "no";
+}
+
 class StreetAreas {
  public:
   StreetAreas(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
@@ -153,33 +172,6 @@ class StreetAreas {
     }
   }
 
-  static bool lies_inside(const osm::OsmTags& tags) {
-    const std::string tunnel = tag_of(tags, "tunnel");
-    return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
-           tag_of(tags, "indoor") == "yes" || tag_of(tags, "highway") == "corridor" ||
-           tag_of(tags, "location") == "underground" || lies_below(tags, "level") ||
-           (lies_below(tags, "layer") && is_covered(tags));
-  }
-
-  // A way that is below ground on all its levels. A layer alone only says what crosses above what:
-  // a street in a cutting lies open.
-  static bool lies_below(const osm::OsmTags& tags, const char* key) {
-    const auto found = tags.find(key);
-    if (found == tags.end()) return false;
-    bool below = false;
-    for (std::string_view part : osm::split_list(found->second)) {
-      const auto number = osm::take_number(part);
-      if (!number || *number >= 0 || !part.empty()) return false;
-      below = true;
-    }
-    return below;
-  }
-
-  static bool is_covered(const osm::OsmTags& tags) {
-    const std::string covered = tag_of(tags, "covered");
-    return !covered.empty() && covered != "no";
-  }
-
   GroundKind find_kind(const osm::OsmTags& tags, const roads::RoadClass& road) {
     const auto surface = tags.find("surface");
     if (surface != tags.end())
@@ -227,6 +219,25 @@ class StreetAreas {
 };
 
 }  // namespace
+
+bool lies_inside(const osm::OsmTags& tags) {
+  const std::string tunnel = tag_of(tags, "tunnel");
+  return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
+         tag_of(tags, "indoor") == "yes" || tag_of(tags, "highway") == "corridor" ||
+         tag_of(tags, "location") == "underground" || lies_below(tags, "level") ||
+         (lies_below(tags, "layer") && is_covered(tags));
+}
+
+double find_street_reach_m(const osm::OsmTags& tags) {
+  const auto carriageway = roads::read_carriageway(tags);
+  if (!carriageway) return 0;
+  const roads::RoadClass& road = *carriageway->road_class;
+  if (road.tier == roads::RoadTier::path) return carriageway->width_m / 2;
+  double beside_m = 0;
+  for (const char* side : {"left", "right"})
+    beside_m = std::max(beside_m, read_roadside(tags, road, side).width_m());
+  return carriageway->width_m / 2 + beside_m;
+}
 
 void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
                  const Box& bounds, Cover& cover) {

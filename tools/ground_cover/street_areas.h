@@ -27,6 +27,13 @@ constexpr double cycle_track_m = 2.0;
 void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
                  const Box& bounds, Cover& cover);
 
+/// Returns whether a way with these tags runs in a tunnel or a building, or else below the ground.
+bool lies_inside(const osm::OsmTags& tags);
+
+/// Returns how far the areas of a street or path reach from its middle, m: to the kerb, or to the
+/// outer edge of the wider pavement. Bays are not counted. 0 where there is no street.
+double find_street_reach_m(const osm::OsmTags& tags);
+
 /// The part of a map that decides what is painted on streets.
 struct StreetPaint {
   std::span<const osm::OsmWay> ways;

@@ -22,8 +22,9 @@ void ignore(const char*, void*) {}
 
 struct Widener::State {
   GEOSContextHandle_t geos = GEOS_init_r();
-  GEOSBufferParams* both = make(0);
-  GEOSBufferParams* single = make(1);
+  GEOSBufferParams* both = make(0, GEOSBUF_CAP_ROUND);
+  GEOSBufferParams* both_flat = make(0, GEOSBUF_CAP_FLAT);
+  GEOSBufferParams* single = make(1, GEOSBUF_CAP_FLAT);
 
   State() {
     GEOSContext_setNoticeMessageHandler_r(geos, ignore, nullptr);
@@ -31,15 +32,15 @@ struct Widener::State {
   }
   ~State() {
     GEOSBufferParams_destroy_r(geos, both);
+    GEOSBufferParams_destroy_r(geos, both_flat);
     GEOSBufferParams_destroy_r(geos, single);
     GEOS_finish_r(geos);
   }
 
-  GEOSBufferParams* make(int single_sided) const {
+  GEOSBufferParams* make(int single_sided, int ends) const {
     GEOSBufferParams* params = GEOSBufferParams_create_r(geos);
     GEOSBufferParams_setQuadrantSegments_r(geos, params, pieces_a_quarter);
-    GEOSBufferParams_setEndCapStyle_r(geos, params,
-                                      single_sided ? GEOSBUF_CAP_FLAT : GEOSBUF_CAP_ROUND);
+    GEOSBufferParams_setEndCapStyle_r(geos, params, ends);
     GEOSBufferParams_setJoinStyle_r(geos, params, GEOSBUF_JOIN_MITRE);
     GEOSBufferParams_setMitreLimit_r(geos, params, mitre_limit);
     GEOSBufferParams_setSingleSided_r(geos, params, single_sided);
@@ -73,7 +74,8 @@ struct Widener::State {
 Widener::Widener() : state_(std::make_unique<State>()) {}
 Widener::~Widener() = default;
 
-std::vector<Ring> Widener::widen(std::span<const glm::dvec2> line, double distance_m, Side side) {
+std::vector<Ring> Widener::widen(std::span<const glm::dvec2> line, double distance_m, Side side,
+                                 Ends ends) {
   std::vector<double> coordinates;
   for (const glm::dvec2& p : line) {
     const std::size_t n = coordinates.size();
@@ -89,9 +91,11 @@ std::vector<Ring> Widener::widen(std::span<const glm::dvec2> line, double distan
                                           static_cast<unsigned>(coordinates.size() / 2), 0, 0));
   if (!input) return {};
   // GEOS: one side is the left, or the right at a negative distance.
+  const GEOSBufferParams* params = side != Side::both    ? state_->single
+                                   : ends == Ends::round ? state_->both
+                                                         : state_->both_flat;
   GEOSGeometry* area =
-      GEOSBufferWithParams_r(geos, input, side == Side::both ? state_->both : state_->single,
-                             side == Side::right ? -distance_m : distance_m);
+      GEOSBufferWithParams_r(geos, input, params, side == Side::right ? -distance_m : distance_m);
   std::vector<Ring> rings;
   if (area) state_->add_rings(area, rings);
   if (area) GEOSGeom_destroy_r(geos, area);

@@ -20,13 +20,15 @@ class Widener {
 
   /// The sides of a line that its area lies on, seen in its direction.
   enum class Side { both, left, right };
+  /// How an area ends at the ends of its line.
+  enum class Ends { round, flat };
 
-  /// Returns the rings of all places within `distance_m` of the line (GEOS, buffer): round at its
-  /// ends and mitred at its bends, or flat at its ends where it lies on one side only. Coordinates
+  /// Returns the rings of all places within `distance_m` of the line (GEOS, buffer): mitred at its
+  /// bends, and at its ends round or flat; always flat where it lies on one side only. Coordinates
   /// and distance in metres. Empty where the line has no two different finite points or GEOS finds
   /// no area.
   std::vector<Ring> widen(std::span<const glm::dvec2> line, double distance_m,
-                          Side side = Side::both);
+                          Side side = Side::both, Ends ends = Ends::round);
 
  private:
   struct State;

@@ -111,7 +111,6 @@ class Layouter {
     if (!wanted) throw std::invalid_argument("no lighting class of EN 13201-2: " + own->second);
     plan.wanted = *wanted;
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
-    if (street.bridge) ++report_.notes["streets with a bridge: lamps on the model's ground"];
 
     // Take the side with fewer obstacles, or the right one if both are alike. Twin carriageways get
     // their lamps on their outer sides.

@@ -60,7 +60,6 @@ void append(Run& to, const Run& next) {
                           next.street.pieces.end());
   // Posts along the whole street stand behind its widest kerb.
   to.street.road.width_m = std::max(to.street.road.width_m, next.street.road.width_m);
-  to.street.bridge |= next.street.bridge;
   if (to.street.name.empty()) to.street.name = next.street.name;
   to.last = next.last;
 }
@@ -81,7 +80,6 @@ class NetworkBuilder {
     fresh.road = road;
     const auto name = way.tags.find("name");
     if (name != way.tags.end()) fresh.name = name->second;
-    fresh.bridge = !one_of(tag(way, "bridge"), {"", "no"});
     Run run{fresh, {}, {}};
     double on_way = 0;
     const auto finish = [&](const NodeKey& key) {

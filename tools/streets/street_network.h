@@ -31,7 +31,6 @@ struct Street {
 
   roads::Carriageway road;
   std::string name;
-  bool bridge = false;  // at least a part is a bridge
   std::vector<glm::dvec2> line;
   std::vector<double> at_m;            // of each point of the line, from its start
   std::vector<Piece> pieces;           // line.size() - 1

@@ -117,8 +117,8 @@ std::optional<Drivable> read_drivable(const osm::OsmWay& way, const Country& cou
   if (!why.empty()) return std::nullopt;
   result.carriageway = *carriageway;
   read_speed(way, country, result);
-  result.structure =
-      !one_of(tag(way, "bridge"), {"", "no"}) || !one_of(tag(way, "tunnel"), {"", "no"});
+  result.bridge = !one_of(tag(way, "bridge"), {"", "no"});
+  result.structure = result.bridge || !one_of(tag(way, "tunnel"), {"", "no"});
   const std::string layer = raw(way, "layer");
   if (const auto value = whole(layer, -5, 5)) result.layer = *value;
   return result;

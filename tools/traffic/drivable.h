@@ -18,6 +18,7 @@ struct Drivable {
   roads::Carriageway carriageway;  // a direction with no lanes is not driven
   double speed_m_s[2] = {0, 0};    // limit
   bool structure = false;          // bridge or tunnel: not on the ground
+  bool bridge = false;
   int layer = 0;
 
   bool both_ways() const { return carriageway.lanes[0] > 0 && carriageway.lanes[1] > 0; }

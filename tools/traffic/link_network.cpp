@@ -35,8 +35,11 @@ dvec2 end_direction(const RoadEdge& edge) {
 }  // namespace
 
 LinkNetwork::LinkNetwork(const RoadGraph& graph, place::HeightAt height_at,
-                         place::InsideBuilding inside)
-    : graph_(graph), height_at_(std::move(height_at)), inside_(std::move(inside)) {
+                         place::InsideBuilding inside, place::DeckAt deck_at)
+    : graph_(graph),
+      height_at_(std::move(height_at)),
+      inside_(std::move(inside)),
+      deck_at_(std::move(deck_at)) {
   centrelines_.resize(graph.edges.size());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     Centreline& centreline = centrelines_[e];
@@ -86,18 +89,33 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
   return std::min(result, 25.0);
 }
 
-/// Returns the heights of the ground along a line. In a hole of the ground the last known height
-/// continues.
-std::vector<Curve::Height> LinkNetwork::ground(const PlanLine& line, double last) const {
+bool LinkNetwork::rises_evenly(const RoadEdge& edge) const {
+  return edge.structure && !(edge.bridge && deck_at_);
+}
+
+/// Returns the height of what is driven on: a bridge that carries one of the edges, or the ground.
+std::optional<double> LinkNetwork::surface_at(const dvec2& place, const RoadEdge& edge,
+                                              const RoadEdge& next) const {
+  if (deck_at_)
+    for (const RoadEdge* own : {&edge, &next})
+      if (own->bridge)
+        if (const auto deck = deck_at_(own->way_id, place)) return deck->z;
+  return height_at_(place);
+}
+
+/// Returns the heights of what is driven on along a line from an edge to the next. In a hole of the
+/// ground the last known height continues.
+std::vector<Curve::Height> LinkNetwork::find_surface(const PlanLine& line, const RoadEdge& edge,
+                                                     const RoadEdge& next, double last) const {
   std::vector<Curve::Height> heights;
   for (const PlanPoint& p : line) {
-    const auto front = height_at_(p.point + p.along * half_axle_m),
-               rear = height_at_(p.point - p.along * half_axle_m);
+    const auto front = surface_at(p.point + p.along * half_axle_m, edge, next),
+               rear = surface_at(p.point - p.along * half_axle_m, edge, next);
     if (front && rear) {
       last = (*front + *rear) / 2;
       heights.push_back({last, (*front - *rear) / (2 * half_axle_m)});
     } else {
-      last = height_at_(p.point).value_or(last);
+      last = surface_at(p.point, edge, next).value_or(last);
       heights.push_back({last, 0});
     }
   }
@@ -159,7 +177,7 @@ std::size_t LinkNetwork::lane(std::size_t edge, int lane) {
                                 road.lane_offset(lane, graph_.side));
   const double from = graph_.nodes[road.from].height_m, to = graph_.nodes[road.to].height_m;
   std::vector<Curve::Height> heights;
-  if (road.structure) {
+  if (rises_evenly(road)) {
     const double slope = (to - from) / centreline.length;
     double s = centreline.begin;
     for (std::size_t n = 0; n < line.size(); ++n) {
@@ -167,7 +185,7 @@ std::size_t LinkNetwork::lane(std::size_t edge, int lane) {
       heights.push_back({from + slope * s, slope});
     }
   } else {
-    heights = ground(line, from);
+    heights = find_surface(line, road, road, from);
   }
   Link link;
   link.curve = Curve(line, heights);
@@ -196,7 +214,7 @@ std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_
   const PlanLine line =
       turn_between({dvec2(a.point), dvec2(a.along)}, {dvec2(b.point), dvec2(b.along)});
   std::vector<Curve::Height> heights;
-  if (in.structure || out.structure) {
+  if (rises_evenly(in) || rises_evenly(out)) {
     const double length = length_of(line);
     double s = 0;
     for (std::size_t n = 0; n < line.size(); ++n) {
@@ -206,7 +224,7 @@ std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_
           {glm::mix(a.point.z, b.point.z, x * x * (3 - 2 * x)), glm::mix(a.along.z, b.along.z, x)});
     }
   } else {
-    heights = ground(line, a.point.z);
+    heights = find_surface(line, in, out, a.point.z);
   }
   // Use exactly the ends of the lanes, because trips run over the joint.
   heights.front() = {a.point.z, a.along.z};

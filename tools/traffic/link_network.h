@@ -45,8 +45,11 @@ constexpr double comfortable_braking = 1.6, sideways_acceleration = 2.3;
 
 class LinkNetwork {
  public:
-  /// Keeps a reference to `graph`. An empty `inside` means that there are no buildings.
-  LinkNetwork(const RoadGraph& graph, place::HeightAt height_at, place::InsideBuilding inside = {});
+  /// Keeps a reference to `graph`. An empty `inside` means that there are no buildings. Bridges lie
+  /// where `deck_at` says, else on the ground. Where it is empty they rise evenly from end to end,
+  /// as tunnels do.
+  LinkNetwork(const RoadGraph& graph, place::HeightAt height_at, place::InsideBuilding inside = {},
+              place::DeckAt deck_at = {});
 
   /// Returns the number of a lane's or a turn's link. Links are made when they are first asked for,
   /// because nobody takes most turns of a map.
@@ -76,7 +79,11 @@ class LinkNetwork {
   };
   const Centreline& centreline(std::size_t edge) const { return centrelines_[edge]; }
   double setback(std::size_t edge, bool at_start) const;
-  std::vector<Curve::Height> ground(const PlanLine& line, double last) const;
+  bool rises_evenly(const RoadEdge& edge) const;
+  std::optional<double> surface_at(const glm::dvec2& place, const RoadEdge& edge,
+                                   const RoadEdge& next) const;
+  std::vector<Curve::Height> find_surface(const PlanLine& line, const RoadEdge& edge,
+                                          const RoadEdge& next, double last) const;
   void limit_speed(Link& link, double limit) const;
   static bool steerable(const Curve& curve);
   double in_buildings(const Curve& curve) const;
@@ -86,6 +93,7 @@ class LinkNetwork {
   const RoadGraph& graph_;
   place::HeightAt height_at_;
   place::InsideBuilding inside_;
+  place::DeckAt deck_at_;
   std::vector<Centreline> centrelines_;
   std::deque<Link> links_;
   std::map<std::pair<std::size_t, int>, std::size_t> lanes_;

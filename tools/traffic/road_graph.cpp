@@ -65,6 +65,7 @@ class GraphBuilder {
     along.one_way = !way.both_ways();
     along.roundabout = carriageway.roundabout;
     along.structure = way.structure;
+    along.bridge = way.bridge;
     along.way_id = way_id;
     along.name = street.name;
     if (runs_through_building(along, inside_)) {

@@ -31,7 +31,8 @@ struct RoadEdge {
   double half_width_m = 3;
   double speed_m_s = 0;  // limit
   bool one_way = false, roundabout = false;
-  bool structure = false;  // bridge or tunnel: its height is linear from end to end
+  bool structure = false;  // bridge or tunnel: not on the ground
+  bool bridge = false;
   std::int64_t way_id = 0;
   std::string name;
 

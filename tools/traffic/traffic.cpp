@@ -182,7 +182,8 @@ void sum_up(TrafficSet& set) {
 TrafficSet make_traffic(const std::vector<osm::OsmWay>& highways,
                         const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
                         const place::InsideBuilding& inside, const TrafficOptions& options,
-                        const Georeference& georeference, const StepProgress& progress) {
+                        const Georeference& georeference, const StepProgress& progress,
+                        const place::DeckAt& deck_at) {
   TrafficSet set;
   TrafficReport& report = set.report;
   report.tolerance = options.tolerance;
@@ -202,7 +203,7 @@ TrafficSet make_traffic(const std::vector<osm::OsmWay>& highways,
   clock.lap("streets");
 
   report_progress("routes", 0);
-  LinkNetwork network(graph, height_at, inside);
+  LinkNetwork network(graph, height_at, inside, deck_at);
   const Demand demand{busiest_vehicles(graph, options), options.cycle_s, options.seed,
                       static_cast<std::size_t>(options.max_trips)};
   const std::vector<TripPlan> plans = plan_trips(network, demand, report.plans);

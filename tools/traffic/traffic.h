@@ -68,11 +68,12 @@ struct TrafficSet {
 using StepProgress = std::function<void(const char* step, double share)>;
 
 /// Makes the traffic of all drivable ways. `to_frame`, `height_at` and `inside` are those of
-/// place_lamps. Without a drivable road the set is empty. Throws Error if there are more trips than
-/// a light file can count.
+/// place_lamps; `deck_at` is that of LinkNetwork. Without a drivable road the set is empty. Throws
+/// Error if there are more trips than a light file can count.
 TrafficSet make_traffic(const std::vector<osm::OsmWay>& highways,
                         const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
                         const place::InsideBuilding& inside, const TrafficOptions& options,
-                        const Georeference& georeference, const StepProgress& progress = {});
+                        const Georeference& georeference, const StepProgress& progress = {},
+                        const place::DeckAt& deck_at = {});
 
 }  // namespace nightcity::traffic

@@ -101,7 +101,7 @@ class Planter {
       return;
     }
     if (inside_ && inside_(place)) {
-      ++set_.left_out["tree in a building"];
+      ++set_.left_out["tree in a building or below a bridge"];
       return;
     }
     Tree tree = make_tree(tags, place);

@@ -15,6 +15,7 @@
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
 #include "tools/barriers/outlines.h"
+#include "tools/bridges/deck_ways.h"
 #include "tools/ground_cover/land_areas.h"
 #include "tools/ground_cover/rail_areas.h"
 #include "tools/ground_cover/street_areas.h"
@@ -204,17 +205,25 @@ void City::lay_cover(const GroundReport& ground) {
   if (!ground.shown || !box || !frame().has_lon_lat()) return;
   const ground_cover::Box bounds{box->low, box->high};
   const place::LonLatToFrame to_plan = to_frame();
-  if (inputs_.cover.streets && !ground.has_roads) {
-    const bool bays = inputs_.cover.parking;
-    ground_cover::add_streets(map_.highways, bays, to_plan, bounds, cover_);
-    if (inputs_.cover.markings)
+  const CoverOptions& options = inputs_.cover;
+  const bool has_streets = options.streets && !ground.has_roads;
+  if (options.bridges && has_streets && !ground.has_bridges)
+    bridges_.build(map_, to_plan, height_at(),
+                   {options.markings, options.rails, drives_on_the_left()});
+  const auto find_ground_ways = [&](const std::vector<osm::OsmWay>& ways) {
+    return bridges::find_ground_ways(ways, bridges_.decks(), to_plan);
+  };
+  if (has_streets) {
+    const std::vector<osm::OsmWay> streets = find_ground_ways(map_.highways);
+    ground_cover::add_streets(streets, options.parking, to_plan, bounds, cover_);
+    if (options.markings)
       ground_cover::add_markings(
-          {map_.highways, map_.controls, map_.crossings, drives_on_the_left(), bays}, to_plan,
+          {streets, map_.controls, map_.crossings, drives_on_the_left(), options.parking}, to_plan,
           bounds, cover_);
   }
-  if (inputs_.cover.land && !ground.has_land) add_land(bounds);
-  if (inputs_.cover.rails && !ground.has_roads)
-    ground_cover::add_rails(map_.railways, to_plan, bounds, cover_);
+  if (options.land && !ground.has_land) add_land(bounds);
+  if (options.rails && !ground.has_roads)
+    ground_cover::add_rails(find_ground_ways(map_.railways), to_plan, bounds, cover_);
   cover_.finish();
 }
 

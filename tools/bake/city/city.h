@@ -10,6 +10,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/georeference.h"
+#include "tools/bake/city/city_bridges.h"
 #include "tools/bake/city/city_frames.h"
 #include "tools/bake/city/city_inputs.h"
 #include "tools/bake/city/ground_builder.h"
@@ -51,6 +52,9 @@ class City {
   const GapReport& gaps() const { return gaps_; }
   /// Returns what covers the ground; empty before build_ground().
   const ground_cover::Cover& cover() const { return cover_; }
+
+  /// Returns the bridges of the map; without decks before build_ground().
+  const CityBridges& bridges() const { return bridges_; }
 
   const CityInputs& inputs() const { return inputs_; }
   /// False for a map without a city model.
@@ -119,6 +123,7 @@ class City {
   terrain::Terrain terrain_;
   GroundBuilder ground_;
   ground_cover::Cover cover_;
+  CityBridges bridges_;
   GapReport gaps_;
 };
 

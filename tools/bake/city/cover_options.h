@@ -15,6 +15,7 @@ struct CoverOptions {
   std::optional<traffic::Side> side{};  // of the road that vehicles keep to; empty: by country
   bool parking = true;                  // lanes and bays along those streets
   bool rails = true;                    // of the map, where the model has no roads
+  bool bridges = true;                  // of the map, above the ground, where the model has none
   bool land = true;                     // of the map, where the model has none
   bool gaps = true;                     // buildings of the map, where the model has none
   bool barriers = true;                 // of the map

@@ -235,6 +235,7 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
     if (!prepared->mesh.triangles.empty()) {
       const city::ObjectType type = prepared->object.type;
       report_.has_roads |= type == city::ObjectType::road;
+      report_.has_bridges |= type == city::ObjectType::bridge;
       report_.has_land |= type == city::ObjectType::land_use || type == city::ObjectType::water;
     }
     for (std::size_t n = 0; n < parts.size(); ++n)

@@ -87,7 +87,7 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "else the class of the road; `surface` decides how much light it reflects. "
                 "Carriageways of towns lie 0.12 m below the ground around them, between kerbs, "
                 "and what stands or drives on them does so too. Tunnels are left out, and "
-                "counted; bridges lie on the ground."),
+                "counted. Bridges: see `bridges`."),
        flag_key("markings", ground.markings,
                 "With `streets`: paint on carriageways. Bars where `crossing` or "
                 "`crossing:markings` says that a way is a marked crossing, lines between lanes of "
@@ -111,8 +111,16 @@ Table make_ground_table(bake::CoverOptions& ground) {
            "steel, flush with what lies there, `gauge` apart, and below them a bed of "
            "ballast, or of what `surface` says, such as grass. What runs in a street or has "
            "`embedded` has rails alone. Left out, and counted in metres: tunnels and what else "
-           "lies below ground, bridges that carry no street, and tracks that are disused or "
-           "gone."),
+           "lies below ground, bridges that lie on the ground here and carry no street, and tracks "
+           "that are disused or gone."),
+       flag_key(
+           "bridges", ground.bridges,
+           "With `streets`: bridges of the map as decks above the ground, where the city "
+           "model has no bridges of its own. Streets, paths and, with `rails`, tracks run on "
+           "them, and so do vehicles and lamps. A deck goes from abutment to abutment and "
+           "rises above what it crosses (docs/recipe.md, Bridges). One that would be too steep "
+           "lies on the ground as if it were none, and is counted with the reason; so does "
+           "every bridge if this is `false`."),
        flag_key("land", ground.land,
                 "Land, where the city model has neither land use nor water of its own: areas of "
                 "`natural`, `landuse`, `leisure`, `waterway`, `amenity`, `area:highway` and the "

@@ -242,6 +242,7 @@ json to_json(const BakeReport& report) {
        {{"buildings_of_the_map", report.gaps.buildings},
         {"left_out", report.gaps.left_out},
         {"assumed", report.gaps.assumed}}},
+      {"bridges", to_json(report.bridges)},
       {"barriers", to_json(report.barriers)},
       {"trees", to_json(report.trees)},
       {"ground_cover", to_json(report.cover, report.tiles)},
@@ -273,6 +274,7 @@ std::string to_text(const BakeReport& report) {
   std::string text = reading_in_words(report) + surfaces_in_words(report);
   text += gaps_in_words(report.gaps);
   text += to_text(report.cover, report.tiles);
+  text += to_text(report.bridges);
   text += to_text(report.barriers);
   text += to_text(report.trees);
   text += to_text(report.streets);

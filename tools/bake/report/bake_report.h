@@ -11,6 +11,7 @@
 #include "formats/scene_writer.h"
 #include "tools/bake/city/map_gaps.h"
 #include "tools/bake/report/barrier_report.h"
+#include "tools/bake/report/bridge_report.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/cover_report.h"
 #include "tools/bake/report/light_report.h"
@@ -28,6 +29,7 @@ struct BakeReport {
   SceneTilesReport tiles;
   GapReport gaps;
   CoverReport cover;
+  BridgesReport bridges;
   BarriersReport barriers;
   HorizonReport horizon;
   TreeReport trees;

@@ -30,7 +30,22 @@ std::string amounts_in_words(const std::map<std::string, double>& amounts) {
   return text.empty() ? "none" : text;
 }
 
+template <class Number>
+void add_all(const std::map<std::string, Number>& from, std::map<std::string, Number>& to) {
+  for (const auto& [name, amount] : from) to[name] += amount;
+}
+
 }  // namespace
+
+void CoverReport::add(const ground_cover::Cover& cover) {
+  areas += cover.areas().size();
+  add_all(cover.markings, markings);
+  add_all(cover.left_out, left_out);
+  add_all(cover.assumed, assumed);
+  add_all(cover.tracks_m, tracks_m);
+  add_all(cover.parking_m, parking_m);
+  add_all(cover.left_out_m, left_out_m);
+}
 
 nlohmann::json to_json(const TreeReport& report) {
   return {{"source", "map"},

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tools/bake/report/scene_report.h"
+#include "tools/ground_cover/cover.h"
 
 namespace nightcity::bake {
 
@@ -18,6 +19,9 @@ struct CoverReport {
   /// Lengths within the ground: of tracks, by what they are and lie in; of parking lanes, by place
   /// and orientation; of what was left out, by reason.
   std::map<std::string, double> tracks_m, parking_m, left_out_m;
+
+  /// Adds what lies on the ground, or on bridges.
+  void add(const ground_cover::Cover& cover);
 };
 
 struct TreeReport {

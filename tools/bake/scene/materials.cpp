@@ -157,6 +157,8 @@ const char* name_of(NodeKind kind) {
       return "road";
     case NodeKind::barrier:
       return "barrier";
+    case NodeKind::bridge:
+      return "bridge";
   }
   return "";
 }

@@ -92,7 +92,7 @@ class MaterialTable {
 };
 
 /// The kind of scene node that a surface belongs to: surfaces of one kind share a node in a tile.
-enum class NodeKind : std::uint8_t { city, terrain, road, barrier };
+enum class NodeKind : std::uint8_t { city, terrain, road, barrier, bridge };
 const char* name_of(NodeKind kind);
 
 struct SurfaceUse {

@@ -46,6 +46,9 @@ class SceneTiles final : public CityConsumer {
   /// Adds a surface of a barrier: E, N, H in metres.
   void add_barrier(std::span<const barriers::Corners> surface, barriers::BarrierMaterial material);
 
+  /// Adds surfaces of a bridge.
+  void add_bridge(std::span<const TileStore::Triangle> triangles) { tiles_.add(triangles, no_id); }
+
   /// Puts the objects that were published without heights onto the ground.
   void drape(const place::HeightAt& height_at) { report_.draped = drape_.drape(height_at, tiles_); }
   /// Returns the writer's index of the material of bare ground.

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "tools/bake/stages/lamps_on_bridges.h"
 #include "tools/lights/luminaire.h"
 #include "tools/lights/merge_lamps.h"
 
@@ -45,6 +46,7 @@ CityLamps place_city_lamps(const City& city, const LampStageOptions& options) {
   if (lay_out)
     result.layout =
         layout::lay_out_lamps(map, to_frame, height_at, inside, lamps, options.layout, result.set);
+  place_on_bridges(city.bridges(), result.set);
   lights::switch_lamps(options.hours, result.set);
   if (const std::size_t gone = lights::merge_lamps(options.merge_m, result.set))
     notes["merged into a stronger lamp by [lamps] merge_m"] += gone;

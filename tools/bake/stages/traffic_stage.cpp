@@ -45,13 +45,15 @@ traffic::TrafficSet make_city_traffic(const City& city, const traffic::TrafficOp
   const place::HeightAt height_at =
       flat ? place::HeightAt([](const glm::dvec2&) { return std::optional(0.0); })
            : road_height_on(city);
-  return traffic::make_traffic(city.map().highways, city.to_frame(), height_at,
-                               city.inside_footprint(), options, georeference,
-                               [&](const char* step, double share) {
-                                 if (progress)
-                                   progress({std::string("traffic: ") + step,
-                                             static_cast<std::size_t>(share * 100), "%", 100});
-                               });
+  return traffic::make_traffic(
+      city.map().highways, city.to_frame(), height_at, city.inside_footprint(), options,
+      georeference,
+      [&](const char* step, double share) {
+        if (progress)
+          progress(
+              {std::string("traffic: ") + step, static_cast<std::size_t>(share * 100), "%", 100});
+      },
+      city.bridges().deck_at());
 }
 
 TrafficAddition to_addition(const traffic::TrafficSet& traffic) {
