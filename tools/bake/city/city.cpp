@@ -12,6 +12,7 @@
 
 #include "formats/error.h"
 #include "formats/median.h"
+#include "tools/bake/city/map_reach.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
 #include "tools/barriers/outlines.h"
@@ -149,6 +150,8 @@ CityReport City::read(std::initializer_list<CityConsumer*> consumers,
 GroundReport City::build_ground(std::initializer_list<CityConsumer*> consumers,
                                 const GroundBuilder::ShowGround& show) {
   if (!has_model()) return {};
+  if (is_map_alone(inputs_) && frame().has_lon_lat())
+    ground_.reach_for(find_map_places(map_, inputs_.cover, to_frame()));
   GroundReport report = ground_.build(frame(), show);
   if (inputs_.cover.gaps && frame().has_lon_lat() && !is_map_alone(inputs_)) fill_gaps(consumers);
   lay_cover(report);

@@ -33,17 +33,23 @@ std::string amounts_in_words(const std::map<std::string, double>& amounts) {
 }  // namespace
 
 nlohmann::json to_json(const TreeReport& report) {
-  return {{"source", "map"},
-          {"trees", report.sources},
+  return {{"trees", report.sources},
           {"left_out", report.left_out},
-          {"assumed_sizes", report.assumed_sizes}};
+          {"assumed_sizes", report.assumed_sizes},
+          {"odd_sizes", report.odd_sizes},
+          {"surfaces", report.surfaces}};
 }
 
 std::string to_text(const TreeReport& report) {
-  if (report.sources.empty() && report.left_out.empty()) return {};
+  if (report.sources.empty() && report.left_out.empty() && report.surfaces.empty()) return {};
   std::string text =
       report_line("trees", fmt::format("{}; {} of a size that is assumed", in_words(report.sources),
                                        report.assumed_sizes));
+  if (report.odd_sizes > 0)
+    text += report_line(
+        "", fmt::format("{} sizes of the model not used: no tree has them", report.odd_sizes));
+  if (!report.surfaces.empty())
+    text += report_line("", "surfaces of the model: " + in_words(report.surfaces));
   if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
   return text;
 }
