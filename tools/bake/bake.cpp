@@ -115,8 +115,8 @@ class Bake {
                            [this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
     report_.gaps = city_.gaps();
     const ground_cover::Cover& cover = city_.cover();
-    report_.cover = {cover.areas().size(), cover.markings,  cover.left_out,  cover.assumed,
-                     cover.tracks_m,       cover.parking_m, cover.left_out_m};
+    report_.cover = {cover.areas().size(), cover.lowered_kerbs, cover.markings,  cover.left_out,
+                     cover.assumed,        cover.tracks_m,      cover.parking_m, cover.left_out_m};
     tiles_.drape(city_.height_at());
     if (tiles_.empty())
       throw Error(options_.city.files.front().string(), describe_emptiness(options_, report_.city));

@@ -96,7 +96,8 @@ void add_kerb_ramps(std::span<const osm::OsmWay> ways, std::span<const osm::OsmP
       if (!(drop_m > 0) || !(glm::length(outward) > 0.5)) continue;
       const glm::dvec2 left = glm::normalize(outward), along(left.y, -left.x);
       for (const glm::dvec2& side : {left, -left})
-        for (RampFacet& facet : make_ramp(line[i] + side * (road->width_m / 2), along, side, drop_m))
+        for (RampFacet& facet :
+             make_ramp(line[i] + side * (road->width_m / 2), along, side, drop_m))
           cover.add_ramp(std::move(facet));
       ++cover.lowered_kerbs;
     }

@@ -210,6 +210,8 @@ void City::lay_cover(const GroundReport& ground) {
   if (inputs_.cover.streets && !ground.has_roads) {
     const bool bays = inputs_.cover.parking;
     ground_cover::add_streets(map_.highways, bays, to_plan, bounds, cover_);
+    if (inputs_.cover.lowered_kerbs)
+      ground_cover::add_kerb_ramps(map_.highways, map_.crossings, to_plan, bounds, cover_);
     if (inputs_.cover.markings)
       ground_cover::add_markings(
           {map_.highways, map_.controls, map_.crossings, drives_on_the_left(), bays}, to_plan,

@@ -101,6 +101,12 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "`traffic_signals:direction` says, else towards the nearest junction. Vehicles "
                 "keep to the side that `[traffic] side` or the country says. A node with "
                 "`highway=crossing` that says so has bars where no way says what is painted."),
+       flag_key("lowered_kerbs", ground.lowered_kerbs,
+                "With `streets`: the ground beside a street with kerbs comes down to 0.03 m above "
+                "the carriageway where people cross, at nodes with `highway=crossing` and those of "
+                "a crossing's way (`footway=crossing` and the like), along 4 m, with slopes of 6 % "
+                "behind (DIN 18040-3). `kerb=raised` leaves the kerb, `flush` and `no` take it "
+                "away. In the middle of junctions there are none."),
        flag_key(
            "parking", ground.parking,
            "With `streets`: where cars park along them, as `parking:left`, `right`, `both` or "

@@ -61,6 +61,7 @@ nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles)
           {"bare_m2", std::round(10 * tiles.bare_m2) / 10},
           {"triangles_added", tiles.cover_triangles},
           {"tiles_left_bare", tiles.uncovered_tiles},
+          {"lowered_kerbs", report.lowered_kerbs},
           {"markings", report.markings},
           {"tracks_m", to_json(report.tracks_m)},
           {"parking_m", to_json(report.parking_m)},
@@ -79,6 +80,8 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
   if (!report.parking_m.empty())
     text += report_line("", "parking lanes, in m: " + amounts_in_words(report.parking_m));
   if (!report.markings.empty()) text += report_line("", "painted: " + in_words(report.markings));
+  if (report.lowered_kerbs > 0)
+    text += report_line("", fmt::format("kerbs lowered at {} crossings", report.lowered_kerbs));
   if (!report.assumed.empty()) text += report_line("", "assumed: " + in_words(report.assumed));
   if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
   if (!report.left_out_m.empty())
