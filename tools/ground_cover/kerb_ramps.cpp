@@ -29,6 +29,15 @@ double find_drop_m(const osm::OsmTags& tags) {
   return roads::kerb_m - lowered_kerb_m;
 }
 
+// Returns whether a street does not lie on the ground that a ramp would lower.
+bool is_off_ground(const osm::OsmTags& tags) {
+  const auto says = [&](const char* key) {
+    const std::string value = tag_of(tags, key);
+    return !value.empty() && value != "no" && value != "building_passage";
+  };
+  return says("tunnel") || says("bridge");
+}
+
 class CrossingPlaces {
  public:
   CrossingPlaces(std::span<const osm::OsmPoint> nodes, std::span<const osm::OsmWay> ways) {
@@ -85,7 +94,7 @@ void add_kerb_ramps(std::span<const osm::OsmWay> ways, std::span<const osm::OsmP
   const Junctions junctions(ways);
   for (const osm::OsmWay& way : ways) {
     const auto road = roads::read_carriageway(way.tags);
-    if (!is_drivable(road) || !road->road_class->kerbed) continue;
+    if (!is_drivable(road) || !road->road_class->kerbed || is_off_ground(way.tags)) continue;
     const std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame, bounds);
     if (line.size() < 2 || line.size() != way.lon_lat.size()) continue;
     const MeasuredLine measured(line);

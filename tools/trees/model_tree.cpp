@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "formats/finite.h"
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/city/plant_attributes.h"
@@ -24,6 +25,7 @@ Box find_box(const city::CityObject& object) {
   Box box;
   for (const city::Polygon& polygon : object.polygons)
     for (const glm::dvec3& p : polygon.exterior) {
+      if (!finite(p)) continue;
       box.low = glm::min(box.low, p);
       box.high = glm::max(box.high, p);
     }

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <numbers>
 
 #include "support/temp_folder.h"
 #include "tests/tools/bake/whole_and_parts.h"
 #include "tools/bake/bake.h"
+#include "tools/roads/carriageway.h"
 
 namespace nightcity::bake {
 namespace {
@@ -74,8 +77,11 @@ TEST(MapReach, AStreetOfTheMapLiesOnGroundBeyondTheBuildings) {
   const TempFolder folder;
   const double near_m2 = find_asphalt_m2(folder.path(), "[terrain]\nmap_reach_m = 0\n");
   const double all_m2 = find_asphalt_m2(folder.path(), "");
-  // The ground ends 50 m beyond the house, which is 10 m wide; the street is as wide everywhere.
-  EXPECT_NEAR(all_m2 / near_m2, 400.0 / 60, 0.15);
+  // The ground ended 50 m beyond the house, which is 10 m wide. There are 340 m more of the street,
+  // and its end, which is half a disc.
+  const double width_m = roads::read_carriageway({{"highway", "residential"}})->width_m;
+  const double more_m2 = 340 * width_m + std::numbers::pi / 8 * width_m * width_m;
+  EXPECT_NEAR((all_m2 - near_m2) / more_m2, 1, 0.005);
 }
 
 }  // namespace

@@ -94,6 +94,16 @@ TEST(KerbRamps, JunctionsAndStreetsWithoutKerbsHaveNone) {
   EXPECT_EQ(make_cover(crossing, {}, "footway").lowered_kerbs, 0u);
 }
 
+TEST(KerbRamps, TunnelsAndBridgesHaveNone) {
+  for (const char* key : {"tunnel", "bridge"}) {
+    const osm::OsmWay way{1, {{-9, 0}, {0, 0}, {9, 0}}, {{"highway", "residential"}, {key, "yes"}}};
+    Cover cover;
+    add_kerb_ramps(std::vector{way}, std::vector<osm::OsmPoint>{{{0, 0}, crossing}}, as_metres,
+                   bounds, cover);
+    EXPECT_EQ(cover.lowered_kerbs, 0u) << key;
+  }
+}
+
 TEST(KerbRamps, HostileNodesHaveNone) {
   const osm::OsmWay way{
       1, {{0, 0}, {0, 0}, {std::nan(""), 9}, {1e300, 0}}, {{"highway", "residential"}}};

@@ -256,7 +256,10 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
   std::optional<terrain::Extent> reach;
   if (!places_.empty() && options_.map_reach_m > 0) {
     reach = find_reach(occupied_, options_.tile_m, places_, options_.map_reach_m);
-    if (reach) add_tiles(places_, *reach, options_.tile_m, occupied_);
+    if (reach) {
+      add_tiles(places_, *reach, options_.tile_m, occupied_);
+      *reach = {reach->low - options_.margin_m, reach->high + options_.margin_m};
+    }
   }
   if (!options_.elevation_models.empty() && !occupied_.empty()) {
     if (given) {

@@ -150,6 +150,7 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
       thin(prepared->mesh, settings.max_error_m, result.report);
     if (prepared->mesh.triangles.empty()) result.unusable = Unusable::without_area;
   }
+  prepared->tree = trees::find_model_tree(object, &prepared->no_tree);
   prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;
   prepared->object = std::move(object);
   result.prepared = prepared;

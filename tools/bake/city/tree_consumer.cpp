@@ -21,13 +21,11 @@ const char* find_reason(trees::NoTree why) {
 }  // namespace
 
 CityConsumer::Turn TreeConsumer::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
-  auto why = trees::NoTree::is_one;
-  const auto tree = trees::find_model_tree(prepared->object, &why);
-  if (tree)
-    return [this, tree = *tree](bool continues) {
+  if (prepared->tree)
+    return [this, tree = *prepared->tree](bool continues) {
       if (!continues) trees_.push_back(tree);
     };
-  if (const char* reason = find_reason(why))
+  if (const char* reason = find_reason(prepared->no_tree))
     return [this, reason](bool continues) {
       if (!continues) ++surfaces_[reason];
     };

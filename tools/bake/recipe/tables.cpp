@@ -76,7 +76,8 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
        number_key("map_reach_m", terrain.map_reach_m, {0, 10000}, "m",
                   "Where the city is the map alone: how far at most its ground reaches beyond "
                   "the tiles that its buildings lie in, to hold the map's streets, tracks and "
-                  "trees, as far as `[ground]` asks for them. 0: no farther than `margin_m`.")}};
+                  "trees, as far as `[ground]` asks for them, and `margin_m` beyond those. 0: no "
+                  "farther than `margin_m` beyond the buildings.")}};
 }
 
 Table make_ground_table(bake::CoverOptions& ground) {

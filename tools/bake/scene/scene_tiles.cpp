@@ -41,7 +41,7 @@ SceneTiles::SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch
 
 CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};  // points or lines alone
-  if (stands_otherwise(prepared->object))
+  if (stands_otherwise(*prepared))
     return [this, number = prepared->mesh.triangles.size()](bool) {
       add_count(report_.left_out, "triangles of vegetation", number);
     };
@@ -64,12 +64,12 @@ CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObjec
 }
 
 // Returns whether the object's surfaces are not shown: it becomes a tree, or nothing.
-bool SceneTiles::stands_otherwise(const city::CityObject& object) const {
+bool SceneTiles::stands_otherwise(const PreparedObject& prepared) const {
   switch (options_.vegetation) {
     case trees::Vegetation::trees:
-      return trees::find_model_tree(object).has_value();
+      return prepared.tree.has_value();
     case trees::Vegetation::none:
-      return object.type == city::ObjectType::vegetation;
+      return prepared.object.type == city::ObjectType::vegetation;
     case trees::Vegetation::surfaces:
       break;
   }

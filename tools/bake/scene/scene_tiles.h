@@ -69,7 +69,7 @@ class SceneTiles final : public CityConsumer {
   WrittenTile build(const TileKey& key, const City& city);
   void write(WrittenTile&& tile, const Georeference& georeference);
   void count(const CoverCounts& cover);
-  bool stands_otherwise(const city::CityObject& object) const;
+  bool stands_otherwise(const PreparedObject& prepared) const;
   std::uint32_t add_feature(const city::CityObject& object);
 
   SceneWriter& writer_;
