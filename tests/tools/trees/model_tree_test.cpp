@@ -72,7 +72,7 @@ TEST(ModelTree, WhatIsNoTreeHasAReason) {
   EXPECT_EQ(find_reason(make_plant({0, 0, 0}, {1000, 1000, 9})), NoTree::wide);
   EXPECT_EQ(find_reason(make_plant({0, 0, 0}, {5, 5, 1000})), NoTree::wide);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(find_reason(make_plant({nan, 0, 0}, {5, nan, 5})), NoTree::nowhere);
+  EXPECT_EQ(find_reason(make_plant({nan, 0, 0}, {nan, 5, 5})), NoTree::nowhere);
   city::CityObject grass = make_plant({0, 0, 0}, {5, 5, 5});
   grass.building_class = "1040";
   EXPECT_EQ(find_reason(grass), NoTree::low);
