@@ -12,6 +12,7 @@
 #include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/ready_object.h"
 #include "tools/bake/city/road_consumer.h"
+#include "tools/bake/city/tree_consumer.h"
 #include "tools/bake/output_folder.h"
 #include "tools/bake/parts/fingerprint.h"
 #include "tools/bake/parts/read_parts.h"
@@ -98,7 +99,9 @@ class Bake {
     if (options_.windows.lit) windows_.emplace(use_at_, options_.windows, lights_path_);
     std::optional<RoadConsumer> roads;
     if (options_.uses_streets() && city_.wants_model_streets()) roads.emplace();
-    report_.city = city_.read({&tiles_, windows_ ? &*windows_ : nullptr, roads ? &*roads : nullptr},
+    if (options_.tiles.vegetation == trees::Vegetation::trees) model_trees_.emplace();
+    report_.city = city_.read({&tiles_, windows_ ? &*windows_ : nullptr, roads ? &*roads : nullptr,
+                               model_trees_ ? &*model_trees_ : nullptr},
                               progress_);
     report_.crs = city_.frames().descriptions();
     clock_.end_stage("reading the city");
@@ -152,13 +155,12 @@ class Bake {
 
   void plant_trees(const Georeference& georeference) {
     const trees::Season season = options_.city.cover.trees;
-    const auto extent = city_.terrain().extent();
-    if (season == trees::Season::none || !extent || !city_.frame().has_lon_lat()) return;
-    const trees::TreeSet found =
-        trees::find_trees(city_.map(), city_.cover(), {extent->low, extent->high}, city_.to_frame(),
-                          city_.height_at(), find_obstacles());
+    if (season == trees::Season::none) return;
+    const trees::TreeSet found = find_trees();
     add_tree_models(scene_, found.trees, season, georeference);
-    report_.trees = {found.sources, found.left_out, found.assumed_sizes};
+    report_.trees = {
+        found.sources, found.left_out, found.assumed_sizes, found.odd_sizes,
+        model_trees_ ? model_trees_->surfaces() : std::map<std::string, std::size_t>()};
     clock_.end_stage("trees");
   }
 
@@ -167,6 +169,18 @@ class Bake {
     return [this, inside = city_.inside_footprint()](const glm::dvec2& place) {
       return (inside && inside(place)) || city_.bridges().decks().covers(place);
     };
+  }
+
+  // The map's trees need a ground and longitude and latitude; the model's do not.
+  trees::TreeSet find_trees() const {
+    const auto extent = city_.terrain().extent();
+    const bool has_map = extent && city_.frame().has_lon_lat();
+    static const osm::OsmData no_map;
+    return trees::find_trees(
+        has_map ? city_.map() : no_map, city_.cover(),
+        extent ? ground_cover::Box{extent->low, extent->high} : ground_cover::Box{},
+        city_.to_frame(), city_.height_at(), find_obstacles(),
+        model_trees_ ? model_trees_->trees() : std::span<const trees::ModelTree>());
   }
 
   // Gives `georeference` the identity that both files carry.
@@ -217,6 +231,7 @@ class Bake {
   SceneTiles tiles_;
   LightFileWriter lights_;
   std::optional<WindowConsumer> windows_;
+  std::optional<TreeConsumer> model_trees_;
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ BakeOptions to_bake_options(const Recipe& recipe) {
   options.city = to_city_inputs(recipe);
   options.scene = {recipe.output.draco, recipe.output.draco_tolerance_m};
   options.tiles = {recipe.city.tile_m, recipe.city.drop_ground, recipe.city.drop_hidden,
-                   recipe.city.skins, recipe.city.read.threads};
+                   recipe.city.skins,  recipe.city.vegetation,  recipe.city.read.threads};
   options.lights = {recipe.lamps,           recipe.map_lights,  recipe.night.minute,
                     recipe.output.punctual, recipe.city.tile_m, recipe.lights.edits};
   options.windows = recipe.windows;

@@ -4,14 +4,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "tools/city/plant_attributes.h"
+
 namespace nightcity::city {
 namespace {
-
-// Producers write 9999, 99999, 999 and their negatives where they mean "not known".
-bool is_sentinel(double value) {
-  const double v = std::abs(value);
-  return v == 999 || v == 9999 || v == 99999 || v == 999999;
-}
 
 void append(std::string& field, std::string_view value) {
   if (value.empty()) return;
@@ -61,6 +57,11 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+bool is_sentinel(double value) {
+  const double v = std::abs(value);
+  return v == 999 || v == 9999 || v == 99999 || v == 999999;
+}
+
 bool set_attribute(CityObject& object, std::string_view name, std::string_view value) {
   value = trim(value);
   if (name == "function")
@@ -89,6 +90,7 @@ void adopt_attributes(CityObject& whole, const CityObject& part) {
   if (whole.address.empty()) whole.address = part.address;
   if (whole.year.empty()) whole.year = part.year;
   if (whole.storey_heights_m.empty()) whole.storey_heights_m = part.storey_heights_m;
+  adopt_plant(whole.plant, part.plant);
   whole.measured_height_m = std::max(whole.measured_height_m, part.measured_height_m);
   whole.storeys_above_ground = std::max(whole.storeys_above_ground, part.storeys_above_ground);
 }

@@ -17,6 +17,10 @@ std::string_view trim(std::string_view text);
 /// where anything but white space follows it.
 std::optional<double> parse_number(std::string_view text);
 
+/// Returns whether `value` is one that producers write where they mean "not known": 9999, 99999,
+/// 999 and their negatives.
+bool is_sentinel(double value);
+
 /// Sets the field that a standard attribute stands for. `name`: local name in lower case
 /// ("measuredheight"). Returns false when the name stands for no field. Sentinels (9999, -9999 and
 /// the like) leave the field absent. Repeated functions and usages are all kept, with ';' between.

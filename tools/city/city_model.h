@@ -65,6 +65,20 @@ struct Polygon {
   }
 };
 
+/// A plant that stands alone (CityGML's SolitaryVegetationObject), or a cover of plants: what its
+/// attributes say. Lengths in m; absent where the file does not say.
+struct Plant {
+  std::optional<double> height_m, crown_m, trunk_m;  // crown and trunk: diameters
+  std::string species;
+  int odd_sizes = 0;  // that the file gives and that no plant has: they are not used
+
+  /// Passes each field to an archive, as Polygon's does.
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(height_m, crown_m, trunk_m, species, odd_sizes);
+  }
+};
+
 /// A top-level city object with the geometry of its parts and installations: each building is one
 /// object.
 struct CityObject {
@@ -75,18 +89,20 @@ struct CityObject {
   std::optional<double> measured_height_m;                     // absent for 9999 and the like
   std::optional<int> storeys_above_ground;
   std::vector<double> storey_heights_m;
-  int lod = -1;         // level of detail; -1 = the file does not say
-  bool of_map = false;  // a building of OpenStreetMap, and not of a city model
+  int lod = -1;                // level of detail; -1 = the file does not say
+  bool of_map = false;         // a building of OpenStreetMap, and not of a city model
+  std::optional<Plant> plant;  // of vegetation
   std::vector<Polygon> polygons;
-  std::vector<glm::dvec3> points;  // mass points of a relief: its surface goes through them
-  std::vector<Ring> lines;         // its break lines and ridges, open: edges of that surface
+  /// Mass points of a relief, whose surface goes through them; of a plant, where it stands.
+  std::vector<glm::dvec3> points;
+  std::vector<Ring> lines;  // its break lines and ridges, open: edges of that surface
   std::shared_ptr<const std::string> points_srs_name{};  // of points and lines, as Polygon's
 
   /// Passes each field to an archive, as Polygon's does.
   template <class Archive>
   void visit(Archive& archive) {
     archive(id, type, class_name, function, usage, building_class, address, year, measured_height_m,
-            storeys_above_ground, storey_heights_m, lod, of_map, polygons, points, lines);
+            storeys_above_ground, storey_heights_m, lod, of_map, plant, polygons, points, lines);
   }
 };
 

@@ -129,6 +129,7 @@ void make_texts_valid(CityObject& object) {
   for (std::string* text : {&object.id, &object.class_name, &object.function, &object.usage,
                             &object.building_class, &object.address, &object.year})
     *text = to_valid_utf8(std::move(*text));
+  if (object.plant) object.plant->species = to_valid_utf8(std::move(object.plant->species));
   for (Polygon& polygon : object.polygons)
     if (!polygon.id.empty()) polygon.id = to_valid_utf8(std::move(polygon.id));
 }

@@ -108,6 +108,8 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
     walk_children(element, inside);
   } else if (name == "ImplicitGeometry") {
     read_implicit(element, inside);
+  } else if (plant_ && !context.placed && (name == "Point" || name == "MultiPoint")) {
+    read_points(element, context, *plant_);
   } else {
     skipped_.add(element.name());
     if (const std::size_t polygons = count_polygons(element); polygons > 0)
@@ -237,11 +239,17 @@ void GeometryWalk::add(city::Polygon&& polygon, const GeometryContext& context) 
   out_->push_back({std::move(polygon), context.lod, context.space});
 }
 
+void GeometryWalk::add_place(const glm::dvec3& place, const SrsName& srs_name) {
+  if (plant_->points.empty()) plant_->points_srs_name = srs_name;
+  if (plant_->points_srs_name == srs_name) plant_->points.push_back(place);
+}
+
 // A shared shape placed by a 4 x 4 matrix (row-major in the file) and a reference point added to
 // it.
 void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryContext& context) {
   glm::dmat4 matrix(1.0);
   glm::dvec3 reference(0.0);
+  bool has_place = false;
   SrsName srs_name = context.srs_name;
   std::vector<double> numbers;
   std::vector<pugi::xml_node> shapes;
@@ -261,7 +269,8 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
       std::vector<city::Ring> lines;
       Points read{points, lines};
       walk_points(child, context, read);
-      if (!points.empty()) reference = points.front();
+      has_place = !points.empty();
+      if (has_place) reference = points.front();
       srs_name = read.srs_name.value_or(context.srs_name);
     } else if (name == "relativeGMLGeometry" || name == "relativeGeometry") {
       shapes.push_back(child);
@@ -273,6 +282,7 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
   GeometryContext placed = context;
   placed.placed = &matrix;
   placed.srs_name = std::move(srs_name);  // the shape's own coordinates have none
+  if (plant_ && has_place) add_place(glm::dvec3(matrix[3]), placed.srs_name);
   // The same shape may be placed many times, but only once by each implicit geometry.
   Visits visited, linked;
   visited.swap(visited_);

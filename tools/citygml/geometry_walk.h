@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "tools/city/merge_parts.h"
-#include "tools/citygml/appearances.h"
 #include "tools/city/skip_counter.h"
+#include "tools/citygml/appearances.h"
 #include "tools/citygml/srs_scope.h"
 #include "tools/citygml/xlinks.h"
 
@@ -46,7 +46,8 @@ constexpr int max_nesting = 200;
 
 class GeometryWalk {
  public:
-  GeometryWalk(const pugi::xml_node& member, const GeometryLibrary& library, city::SkipCounter& skipped)
+  GeometryWalk(const pugi::xml_node& member, const GeometryLibrary& library,
+               city::SkipCounter& skipped)
       : ids_(member), library_(library), skipped_(skipped) {}
 
   /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out` and counts what cannot be
@@ -65,6 +66,10 @@ class GeometryWalk {
   /// 3.1.1, 10.5.14, these define its surface. Returns false where the property holds no such Tin.
   bool read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
                        city::CityObject& object);
+
+  /// Gives the places of points and of implicit geometries to the `points` of `plant` from now on;
+  /// null: to nobody. The place of an implicit geometry is where it puts the origin of its shape.
+  void set_plant(city::CityObject* plant) { plant_ = plant; }
 
   Materials& local_materials() { return local_materials_; }
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }
@@ -86,6 +91,7 @@ class GeometryWalk {
   void follow(const pugi::xml_node& link, std::string_view href, const GeometryContext& context);
   void read_polygon(const pugi::xml_node& element, const GeometryContext& context);
   void read_implicit(const pugi::xml_node& element, const GeometryContext& context);
+  void add_place(const glm::dvec3& place, const SrsName& srs_name);
   void add(city::Polygon&& polygon, const GeometryContext& context);
   struct Points {
     std::vector<glm::dvec3>& points;
@@ -118,6 +124,7 @@ class GeometryWalk {
   const Materials* file_materials_ = nullptr;
   SrsScope* srs_scope_ = nullptr;  // null: the member names no CRS
   std::vector<city::RawPolygon>* out_ = nullptr;
+  city::CityObject* plant_ = nullptr;
   using Visits = std::unordered_set<Visit, VisitHash>;
   Visits visited_;  // elements of this member
   Visits linked_;   // polygons of the library, by number

@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 #include "tools/city/attributes.h"
+#include "tools/city/plant_attributes.h"
 #include "tools/citygml/libcitygml_text.h"
 
 namespace nightcity::citygml {
@@ -127,9 +128,11 @@ struct Converter {
 
   void read_attributes(const ::citygml::CityObject& object) {
     for (const auto& [key, value] : object.getAttributes()) {
-      const auto colon = key.rfind(':');
-      city::set_attribute(out.raw.object, colon == std::string::npos ? key : key.substr(colon + 1),
-                          restore_entities(value.asString()));
+      const std::string name = key.substr(key.rfind(':') + 1);  // from 0 where there is none
+      const std::string text = restore_entities(value.asString());
+      city::CityObject& taker = out.raw.object;
+      if (!taker.plant || !city::set_plant_attribute(*taker.plant, name, text))
+        city::set_attribute(taker, name, text);
     }
     if (const ::citygml::Address* a = object.address(); a && out.raw.object.address.empty()) {
       std::string text;
@@ -229,6 +232,8 @@ struct Converter {
       placed.matrix = implicit.getTransformMatrix().getMatrix();
       const TVec3d r = implicit.getReferencePoint();
       placed.reference = {r.x, r.y, r.z};
+      if (const double* m = placed.matrix; m && out.raw.object.plant)
+        out.raw.object.points.push_back(glm::dvec3(m[3], m[7], m[11]) + placed.reference);
       for (unsigned g = 0; g < implicit.getGeometriesCount(); ++g)
         walk_geometry(implicit.getGeometry(g), static_cast<int>(implicit.getGeometry(g).getLOD()),
                       placed);
@@ -247,6 +252,7 @@ LibcitygmlObject convert(const ::citygml::CityObject& root,
   object.id = root.getId();
   object.type = object_type(root.getType());
   object.class_name = root.getTypeAsString();
+  if (object.type == city::ObjectType::vegetation) object.plant.emplace();
   converter.read_attributes(root);
   converter.walk(root, {0,
                         object.type == city::ObjectType::relief ? city::SurfaceType::terrain

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
+#include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/plant_attributes.h"
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity::citygml {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
 
 // CityGML 3's con:height holds <con:Height> elements, each with a value and the levels it is
 // measured between. The greatest value is kept.
@@ -37,6 +32,13 @@ bool read_area_function(const FeatureClass& what, std::string_view name,
   if (context.area_function == 0 && code && *code >= 1 && *code <= 65535)
     context.area_function = static_cast<std::uint16_t>(*code);
   return true;
+}
+
+// Takes what an attribute with a plain value says of a plant.
+bool read_plant(std::string_view name, const pugi::xml_node& property, city::Plant& plant) {
+  return find_property_kind(name) != PropertyKind::geometry &&
+         city::set_plant_attribute(plant, to_lower(name), property.child_value(),
+                                   find_attribute(property, "uom"));
 }
 
 bool is_own_space(ClassKind kind) {
@@ -108,15 +110,17 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
                         : context.surface;
   context.srs_name = geometry_.find_srs_name_in(element, context.srs_name);
   city::CityObject said;
+  if (what.object == city::ObjectType::vegetation) said.plant.emplace();
   std::vector<pugi::xml_node> children, geometries, points;
   int relief_lod = -1;
   for (const pugi::xml_node& property : element.children()) {
     if (property.type() != pugi::node_element) continue;
     const std::string_view name = local_name(property.name());
+    if (said.plant && read_plant(name, property, *said.plant)) continue;
     switch (find_property_kind(name)) {
       case PropertyKind::attribute:
         if (is_own_space(what.kind))
-          city::set_attribute(said, lower(name), property.child_value());
+          city::set_attribute(said, to_lower(name), property.child_value());
         else if (!read_area_function(what, name, property, context))
           skipped_.add(property.name());
         break;
@@ -150,6 +154,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     }
   }
   city::adopt_attributes(raw.object, said);
+  geometry_.set_plant(said.plant ? &raw.object : nullptr);
   // Surfaces first: a solid that refers to their polygons then leaves them their surface type.
   for (const pugi::xml_node& property : children) read_child_features(property, context, raw);
   for (const pugi::xml_node& property : geometries) {

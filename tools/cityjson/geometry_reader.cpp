@@ -142,6 +142,7 @@ void GeometryReader::read_geometry(const dom::object& geometry, Context context,
   const std::string_view type = find_text(geometry, "type");
   const auto depth = find_surface_depth(type);
   const auto boundaries = find_member(geometry, "boundaries");
+  if (places_ && boundaries && type == "MultiPoint") return read_points(*boundaries);
   if (!depth || !boundaries) {
     skipped_.add(type.empty() ? "geometry without a type" : type);
     return;
@@ -165,6 +166,18 @@ void GeometryReader::read_geometry(const dom::object& geometry, Context context,
   }
   walk(*boundaries, values ? &*values : nullptr, materials ? &*materials : nullptr, *depth, context,
        out);
+}
+
+void GeometryReader::read_points(const dom::element& boundaries) {
+  std::vector<std::vector<std::size_t>> rings;
+  list_rings(boundaries, rings);
+  for (const std::vector<std::size_t>& points : rings)
+    for (const std::size_t index : points) {
+      if (index < sources_.vertices.size() && finite(sources_.vertices[index]))
+        places_->push_back(sources_.vertices[index]);
+      else
+        skipped_.add("point that is not in the file");
+    }
 }
 
 void GeometryReader::read_semantics(const dom::object& geometry, Context& context) {
@@ -289,31 +302,14 @@ bool GeometryReader::read_polygon(const dom::element& rings, const dom::element*
 // A template placed by a 4 x 4 matrix, in rows, and a reference point added to it.
 void GeometryReader::read_instance(const dom::object& geometry, const Context& context,
                                    std::vector<city::RawPolygon>& out) {
+  const auto matrix = read_placement(geometry);
+  if (!matrix) return;
+  if (places_) places_->push_back(glm::dvec3((*matrix)[3]));
   const auto number = find_member(geometry, "template");
   const auto index = number ? to_index(*number) : std::nullopt;
   if (!index || *index >= sources_.shared->templates.size() || !sources_.shared->templates[*index])
     return skipped_.add("template that is not there");
   const dom::object& shape = *sources_.shared->templates[*index];
-
-  std::vector<std::vector<std::size_t>> places;
-  if (const auto boundaries = find_member(geometry, "boundaries")) list_rings(*boundaries, places);
-  if (places.size() != 1 || places[0].size() != 1 || places[0][0] >= sources_.vertices.size() ||
-      !finite(sources_.vertices[places[0][0]]))
-    return skipped_.add("template placed nowhere");
-  glm::dmat4 matrix(1.0);
-  if (const auto rows = find_array(geometry, "transformationMatrix")) {
-    int count = 0;
-    for (const dom::element& value : *rows) {
-      const auto entry = to_number(value);
-      if (!entry || count == 16) return skipped_.add("template with a matrix that is none");
-      matrix[count % 4][count / 4] = *entry;
-      ++count;
-    }
-    if (count != 16) return skipped_.add("template with a matrix that is none");
-  }
-  const glm::dvec3& reference = sources_.vertices[places[0][0]];
-  matrix[3] += glm::dvec4(reference, 0.0);
-
   placed_polygons_ += count_its_polygons(shape);
   if (placed_polygons_ > max_placed_polygons)
     return skipped_.add("templates: more polygons than an object may have");
@@ -323,12 +319,40 @@ void GeometryReader::read_instance(const dom::object& geometry, const Context& c
   const std::size_t first = out.size();
   read_geometry(shape, std::move(placed), out);
   const auto place = [&](city::Ring& ring) {
-    for (glm::dvec3& p : ring) p = glm::dvec3(matrix * glm::dvec4(p, 1.0));
+    for (glm::dvec3& p : ring) p = glm::dvec3(*matrix * glm::dvec4(p, 1.0));
   };
   for (std::size_t i = first; i < out.size(); ++i) {
     place(out[i].polygon.exterior);
     for (city::Ring& ring : out[i].polygon.interiors) place(ring);
   }
+}
+
+std::optional<glm::dmat4> GeometryReader::read_placement(const dom::object& geometry) {
+  std::vector<std::vector<std::size_t>> places;
+  if (const auto boundaries = find_member(geometry, "boundaries")) list_rings(*boundaries, places);
+  if (places.size() != 1 || places[0].size() != 1 || places[0][0] >= sources_.vertices.size() ||
+      !finite(sources_.vertices[places[0][0]])) {
+    skipped_.add("template placed nowhere");
+    return {};
+  }
+  glm::dmat4 matrix(1.0);
+  if (const auto rows = find_array(geometry, "transformationMatrix")) {
+    int count = 0;
+    bool valid = true;
+    for (const dom::element& value : *rows) {
+      const auto entry = to_number(value);
+      valid = entry && count < 16;
+      if (!valid) break;
+      matrix[count % 4][count / 4] = *entry;
+      ++count;
+    }
+    if (!valid || count != 16) {
+      skipped_.add("template with a matrix that is none");
+      return {};
+    }
+  }
+  matrix[3] += glm::dvec4(sources_.vertices[places[0][0]], 0.0);
+  return matrix;
 }
 
 }  // namespace nightcity::cityjson

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,10 @@ class GeometryReader {
  public:
   GeometryReader(const GeometrySources& sources, city::SkipCounter& skipped)
       : sources_(sources), skipped_(skipped) {}
+
+  /// Adds the places of points and of templates to `places` from now on; null: nowhere. The place
+  /// of a template is where its origin comes to lie.
+  void set_places(std::vector<glm::dvec3>* places) { places_ = places; }
 
   /// Adds every polygon of a city object's "geometry" to `out`. Of several refined levels of detail
   /// of one level (1.2 and 1.3) the finest is taken. `surface`: of polygons without semantics.
@@ -52,6 +58,9 @@ class GeometryReader {
                      std::vector<city::RawPolygon>& out);
   void read_instance(const dom::object& geometry, const Context& context,
                      std::vector<city::RawPolygon>& out);
+  /// Returns where the geometry puts its template; none, and counted, where it does not say.
+  std::optional<glm::dmat4> read_placement(const dom::object& geometry);
+  void read_points(const dom::element& boundaries);
   void read_semantics(const dom::object& geometry, Context& context);
   const glm::vec3* find_colour(const dom::element& index) const;
   void walk(const dom::element& boundaries, const dom::element* semantics,
@@ -70,6 +79,7 @@ class GeometryReader {
 
   GeometrySources sources_;
   city::SkipCounter& skipped_;
+  std::vector<glm::dvec3>* places_ = nullptr;
   std::size_t placed_polygons_ = 0;  // of templates, by this object
 };
 

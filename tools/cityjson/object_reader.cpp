@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/plant_attributes.h"
 
 namespace nightcity::cityjson {
 namespace {
@@ -19,6 +21,11 @@ std::string to_list_text(const dom::element& value) {
   return text;
 }
 
+// CityJSON keeps the names of CityGML's attributes; lengths are numbers of metres.
+bool read_plant(std::string_view name, const dom::element& value, city::Plant& plant) {
+  return city::set_plant_attribute(plant, to_lower(name), to_text(value));
+}
+
 void read_attributes(const dom::object& object, city::CityObject& said,
                      city::SkipCounter& skipped) {
   const auto attributes = find_object(object, "attributes");
@@ -27,6 +34,7 @@ void read_attributes(const dom::object& object, city::CityObject& said,
   for (const auto& [name, value] : *attributes) {
     const std::string_view field = find_attribute_field(name);
     dom::array values;
+    if (said.plant && read_plant(name, value, *said.plant)) continue;
     const bool repeats = field == "function" || field == "usage" || field == "class";
     if (field.empty()) {
       others += !value.is_null();
@@ -72,11 +80,13 @@ void read_member(const GroupMember& member, std::uint32_t space, GeometryReader&
                  city::RawObject& raw, city::SkipCounter& skipped) {
   if (member.what.role == ObjectRole::top || member.what.role == ObjectRole::part) {
     city::CityObject said;
+    if (member.what.type == city::ObjectType::vegetation) said.plant.emplace();
     read_attributes(member.object, said, skipped);
     if (const auto address = find_member(member.object, "address"))
       said.address = read_address(*address);
     city::adopt_attributes(raw.object, said);
   }
+  geometry.set_places(raw.object.plant ? &raw.object.points : nullptr);
   if (const auto geometries = find_array(member.object, "geometry"))
     geometry.read(*geometries, space, member.what.surface, raw.polygons);
 }

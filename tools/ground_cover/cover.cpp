@@ -59,6 +59,8 @@ void Cover::finish() {
   }
   for (std::uint32_t i = 0; i < markings_.size(); ++i)
     marking_index_.add(i, find_box({markings_[i].ring}));
+  std::erase_if(ramps_, [&](const RampFacet& facet) { return is_bad(facet.ring); });
+  for (std::uint32_t i = 0; i < ramps_.size(); ++i) ramp_index_.add(i, find_box({ramps_[i].ring}));
 }
 
 CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
@@ -69,6 +71,9 @@ CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
   for (const std::uint32_t i : marking_index_.find(box))
     if (auto rings = to_part({markings_[i].ring}, box, origin); !rings.empty())
       part.markings.push_back({std::move(rings), static_cast<std::uint32_t>(markings_[i].kind)});
+  for (const std::uint32_t i : ramp_index_.find(box))
+    if (auto rings = to_part({ramps_[i].ring}, box, origin); !rings.empty())
+      part.ramps.push_back({std::move(rings), i});
   return part;
 }
 
@@ -81,7 +86,14 @@ const CoverArea* Cover::find_first(const BoxIndex& index, const glm::dvec2& plac
 
 double Cover::depth_at(const glm::dvec2& place) const {
   const CoverArea* area = find_first(depth_index_, place);
-  return area && area->surface.sunken ? roads::kerb_m : 0;
+  return area && area->surface.sunken ? roads::kerb_m : find_lowering_m(place);
+}
+
+double Cover::find_lowering_m(const glm::dvec2& place) const {
+  if (!finite(place)) return 0;
+  for (const std::uint32_t i : ramp_index_.find({place, place}))
+    if (mesh::holds({&ramps_[i].ring, 1}, place)) return ramps_[i].find_lowering_m(place);
+  return 0;
 }
 
 const Surface* Cover::surface_at(const glm::dvec2& place) const {

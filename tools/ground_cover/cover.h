@@ -10,6 +10,7 @@
 
 #include "tools/ground_cover/box_index.h"
 #include "tools/ground_cover/ground_kind.h"
+#include "tools/ground_cover/kerb_ramps.h"
 #include "tools/mesh/partition.h"
 
 namespace nightcity::ground_cover {
@@ -36,9 +37,9 @@ enum class Marking : std::uint8_t {
 };
 
 /// The areas of a part of the city, as layers of mesh::partition. Labels are numbers of surfaces,
-/// those of markings are of Marking.
+/// those of markings are of Marking, and those of ramps numbers of facets.
 struct CoverPart {
-  mesh::PlaneLayer areas, markings;
+  mesh::PlaneLayer areas, markings, ramps;
 };
 
 class Cover {
@@ -49,11 +50,15 @@ class Cover {
   void add_marking(std::vector<glm::dvec2> ring, Marking kind = Marking::paint) {
     markings_.push_back({std::move(ring), kind});
   }
+  /// Adds a facet of a ramp. Of several in one place the first counts; none lowers a surface that
+  /// is sunken.
+  void add_ramp(RampFacet facet) { ramps_.push_back(std::move(facet)); }
   void finish();
 
   bool empty() const { return areas_.empty() && markings_.empty(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   const std::vector<CoverArea>& areas() const { return areas_; }
+  const std::vector<RampFacet>& ramps() const { return ramps_; }
 
   /// Returns what lies within a rectangle of the plan, cut to it, with coordinates relative to
   /// `origin`. Safe on many threads after finish().
@@ -66,6 +71,8 @@ class Cover {
 
   /// Things that were not used, and how often.
   std::map<std::string, std::size_t> left_out;
+  /// Crossings with ramps.
+  std::size_t lowered_kerbs = 0;
   /// Markings, by what they are, and how many.
   std::map<std::string, std::size_t> markings;
   /// Values that no tag gives, and how often they were assumed.
@@ -75,6 +82,7 @@ class Cover {
   std::map<std::string, double> tracks_m, parking_m, left_out_m;
 
  private:
+  double find_lowering_m(const glm::dvec2& place) const;
   const CoverArea* find_first(const BoxIndex& index, const glm::dvec2& place) const;
 
   std::vector<CoverArea> areas_;
@@ -83,10 +91,11 @@ class Cover {
     Marking kind;
   };
   std::vector<MarkingRing> markings_;
+  std::vector<RampFacet> ramps_;
   std::vector<Surface> surfaces_;
   std::vector<std::uint32_t> labels_;  // of each area: its surface
   std::vector<Box> boxes_;             // of each area
-  BoxIndex area_index_, marking_index_;
+  BoxIndex area_index_, marking_index_, ramp_index_;
   BoxIndex depth_index_;  // of the areas down to the last that is sunken: no other decides depths
 };
 

@@ -22,11 +22,6 @@ bool says_bars(const osm::OsmTags& tags) {
          tag_of(tags, "crossing_ref") == "zebra";
 }
 
-bool is_crossing_way(const osm::OsmTags& tags) {
-  return tag_of(tags, "footway") == "crossing" || tag_of(tags, "path") == "crossing" ||
-         tag_of(tags, "cycleway") == "crossing";
-}
-
 // Returns whether the tags of a crossing say what is painted there, or that nothing is.
 bool says_paint(const osm::OsmTags& tags) {
   return tags.contains("crossing") || tags.contains("crossing:markings") ||
@@ -34,6 +29,11 @@ bool says_paint(const osm::OsmTags& tags) {
 }
 
 }  // namespace
+
+bool is_crossing_way(const osm::OsmTags& tags) {
+  return tag_of(tags, "footway") == "crossing" || tag_of(tags, "path") == "crossing" ||
+         tag_of(tags, "cycleway") == "crossing";
+}
 
 bool is_marked_crossing(const osm::OsmTags& tags) {
   const bool on_foot = tag_of(tags, "footway") == "crossing" || tag_of(tags, "path") == "crossing";

@@ -16,6 +16,9 @@
 
 namespace nightcity::ground_cover {
 
+/// Returns whether a way is the crossing of a path over a street.
+bool is_crossing_way(const osm::OsmTags& tags);
+
 /// Returns whether a way is a crossing that says itself that it has bars.
 bool is_marked_crossing(const osm::OsmTags& tags);
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <tuple>
@@ -43,7 +44,7 @@ double find_nearest_height(const std::vector<glm::dvec3>& points, const glm::dve
   return height;
 }
 
-void add_rim(std::vector<glm::dvec3>& points, double margin) {
+void add_rim(std::vector<glm::dvec3>& points, double margin, const std::optional<Extent>& reach) {
   glm::dvec2 low(points[0]), high(points[0]);
   for (const glm::dvec3& p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -53,6 +54,10 @@ void add_rim(std::vector<glm::dvec3>& points, double margin) {
   margin = std::max(margin, 1.0);
   low -= margin;
   high += margin;
+  if (reach) {
+    low = glm::min(low, reach->low);
+    high = glm::max(high, reach->high);
+  }
   constexpr int pieces = rim_points / 4;  // a side
   std::vector<glm::dvec2> rim;
   for (int n = 0; n < pieces; ++n) {
@@ -70,7 +75,8 @@ void add_rim(std::vector<glm::dvec3>& points, double margin) {
 }
 
 // Sorts the points by place, keeps one per place, and adds the rim at the end.
-void prepare(std::vector<glm::dvec3>& points, double margin_m) {
+void prepare(std::vector<glm::dvec3>& points, double margin_m,
+             const std::optional<Extent>& reach = {}) {
   std::erase_if(points, [](const glm::dvec3& p) { return !finite(p); });
   if (points.empty()) return;
   std::sort(points.begin(), points.end(), [](const glm::dvec3& a, const glm::dvec3& b) {
@@ -81,7 +87,7 @@ void prepare(std::vector<glm::dvec3>& points, double margin_m) {
                              return a.x == b.x && a.y == b.y;
                            }),
                points.end());
-  add_rim(points, margin_m);
+  add_rim(points, margin_m, reach);
 }
 
 template <class Triangulation>
@@ -111,8 +117,9 @@ mesh::TriangleMesh to_mesh(const Triangulation& triangulation, std::vector<glm::
 
 }  // namespace
 
-mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
-  prepare(points, margin_m);
+mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m,
+                                const std::optional<Extent>& reach) {
+  prepare(points, margin_m, reach);
   if (points.empty()) return {};
   Delaunay delaunay;
   insert_points(delaunay, points);

@@ -3,17 +3,20 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "tools/mesh/triangle_mesh.h"
+#include "tools/terrain/surface_store.h"
 
 namespace nightcity::terrain {
 
 /// Returns a Delaunay surface (in plan) through `points`, with a rim `margin_m` outside their
-/// bounds at the height of the nearest point. Of points with the same plan position the lowest
+/// bounds at the height of the nearest point, which also holds `reach`. Of points with the same plan position the lowest
 /// counts. Empty without a finite point.
-mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m);
+mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m,
+                                const std::optional<Extent>& reach = {});
 
 struct BreakSurface {
   mesh::TriangleMesh mesh;

@@ -85,7 +85,7 @@ const std::vector<glm::dvec3>& Terrain::footprint_points() const {
   return (state_->ground_points.empty() ? state_->road_points : state_->ground_points).points();
 }
 
-void Terrain::build(double margin_m, double max_error_m) {
+void Terrain::build(double margin_m, double max_error_m, const std::optional<Extent>& reach) {
   State& state = *state_;
   if (state.layer(SurfaceClass::terrain).empty()) {
     if (!state.break_lines.empty()) {
@@ -96,7 +96,7 @@ void Terrain::build(double margin_m, double max_error_m) {
       GroundPoints& from = !state.relief_points.empty()   ? state.relief_points
                            : !state.ground_points.empty() ? state.ground_points
                                                           : state.road_points;
-      state.made = make_surface(from.take(), margin_m);
+      state.made = make_surface(from.take(), margin_m, reach);
     }
     if (max_error_m > 0) state.made = thin_surface(state.made, max_error_m);
     add(state.made, SurfaceClass::terrain);

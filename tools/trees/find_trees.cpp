@@ -6,12 +6,15 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "formats/finite.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
 #include "tools/random.h"
+#include "tools/trees/leaf_habit.h"
+#include "tools/trees/neighbour_grid.h"
 
 namespace nightcity::trees {
 namespace {
@@ -29,14 +32,74 @@ std::optional<double> length_of(const osm::OsmTags& tags, const char* key, doubl
   return length && *length >= low && *length <= high ? length : std::nullopt;
 }
 
+// What is known of a tree's size; the rest is assumed.
+struct KnownSize {
+  std::optional<double> height_m, crown_m, trunk_m;
+  LeafHabit habit;
+  bool is_shrub = false;
+};
+
+// Tags of leaves come before what the species says of them.
+LeafHabit read_habit(const osm::OsmTags& tags) {
+  const std::string type = tag_of(tags, "leaf_type"), cycle = tag_of(tags, "leaf_cycle");
+  LeafHabit habit;
+  const auto of_species = find_leaf_habit(tag_of(tags, "species"));
+  const auto of_genus = of_species ? of_species : find_leaf_habit(tag_of(tags, "genus"));
+  if (of_genus && type.empty()) habit = *of_genus;
+  if (type == "needleleaved") habit = {true, !of_genus || of_genus->evergreen};
+  if (!cycle.empty()) habit.evergreen = cycle == "evergreen";
+  return habit;
+}
+
+KnownSize read_tags(const osm::OsmTags& tags) {
+  return {length_of(tags, "height", 1, 100), length_of(tags, "diameter_crown", 0.5, 40),
+          std::nullopt, read_habit(tags)};
+}
+
+// Trees of unknown size differ by up to a fifth, by their place.
+Tree complete(const KnownSize& known, const glm::dvec2& place) {
+  Tree tree;
+  tree.evergreen = known.habit.evergreen;
+  auto height = known.height_m;
+  if (!height && known.crown_m) height = std::max(*known.crown_m / crown_of_height, 2.0);
+  if (!height) {
+    Random random{std::llround(place.x * 100), std::llround(place.y * 100)};
+    height =
+        (known.habit.needles ? usual_needle_height_m : usual_height_m) * random.range(0.8, 1.2);
+  }
+  tree.height_m = *height;
+  tree.crown_m = known.crown_m.value_or(crown_of_height * tree.height_m);
+  tree.trunk_m = known.trunk_m.value_or(trunk_of_height * tree.height_m);
+  // Crowns are kept clear of people; the lowest branches of a high tree are higher.
+  tree.clear_m = known.is_shrub ? 0 : std::min(std::max(2.5, 0.25 * *height), 0.5 * *height);
+  return tree;
+}
+
 class Planter {
  public:
   Planter(const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
           const place::InsideBuilding& inside)
       : to_frame_(to_frame), height_at_(height_at), inside_(inside) {}
 
+  void add_of_model(const ModelTree& tree) {
+    if (is_full()) {
+      ++set_.left_out["tree beyond the first 200000"];
+      return;
+    }
+    const auto foot = find_foot(tree);
+    if (!foot) {
+      ++set_.left_out["tree beyond the ground"];
+      return;
+    }
+    set_.odd_sizes += static_cast<std::size_t>(tree.odd_sizes);
+    add(make_tree({tree.height_m, tree.crown_m, tree.trunk_m, tree.habit, tree.is_shrub},
+                  tree.place),
+        {tree.place, *foot}, "of the model");
+    of_model_.add(tree.place);
+  }
+
   void add_mapped(const osm::OsmPoint& tree) {
-    plant(to_frame_(tree.lon_lat), tree.tags, "mapped", 0);
+    plant(to_frame_(tree.lon_lat), tree.tags, "mapped", false);
   }
 
   void add_row(const osm::OsmWay& row) {
@@ -48,7 +111,7 @@ class Planter {
       const double length = glm::distance(line[i], line[i + 1]);
       // A hostile row may be as long as the world.
       for (; next_m <= length && !is_full(); next_m += row_spacing_m)
-        plant(glm::mix(line[i], line[i + 1], next_m / length), row.tags, "in rows", min_distance_m);
+        plant(glm::mix(line[i], line[i + 1], next_m / length), row.tags, "in rows", true);
       next_m -= length;
       if (is_full()) {
         ++set_.left_out["row of trees beyond the first 200000"];
@@ -72,12 +135,13 @@ class Planter {
     for (std::int64_t i = to_square(box.low.x); i <= to_square(box.high.x); ++i)
       for (std::int64_t j = to_square(box.low.y); j <= to_square(box.high.y) && !is_full(); ++j) {
         Random random{i, j};
-        const glm::dvec2 p =
-            glm::dvec2(i + random.uniform(), j + random.uniform()) * wood_spacing_m;
+        const glm::dvec2 p = glm::dvec2(static_cast<double>(i) + random.uniform(),
+                                        static_cast<double>(j) + random.uniform()) *
+                             wood_spacing_m;
         if (!mesh::holds(wood.rings, p)) continue;
         const ground_cover::Surface* surface = cover.surface_at(p);
         if (surface && surface->kind == ground_cover::GroundKind::woodland)
-          plant(p, {}, "in woods", min_distance_m);
+          plant(p, {}, "in woods", true);
       }
   }
 
@@ -87,14 +151,18 @@ class Planter {
   bool is_full() const { return set_.trees.size() >= max_trees || tried_ > 20 * max_trees; }
 
   void plant(const glm::dvec2& place, const osm::OsmTags& tags, const char* source,
-             double distance_m) {
+             bool keeps_distance) {
     ++tried_;
     if (!finite(place)) return;
     if (is_full()) {
       ++set_.left_out["tree beyond the first 200000"];
       return;
     }
-    if (distance_m > 0 && has_neighbour(place, distance_m)) return;  // the map shows it already
+    if (of_model_.has_neighbour(place)) {
+      ++set_.left_out["tree of the map that the model has"];
+      return;
+    }
+    if (keeps_distance && all_.has_neighbour(place)) return;  // the map shows it already
     const auto height = height_at_(place);
     if (!height) {
       ++set_.left_out["tree beyond the ground"];
@@ -104,47 +172,26 @@ class Planter {
       ++set_.left_out["tree in a building or below a bridge"];
       return;
     }
-    Tree tree = make_tree(tags, place);
-    tree.foot = {place, *height};
+    add(make_tree(read_tags(tags), place), {place, *height}, source);
+  }
+
+  void add(Tree tree, const glm::dvec3& foot, const char* source) {
+    tree.foot = foot;
     set_.trees.push_back(tree);
     ++set_.sources[source];
-    squares_[square_of(place)].push_back(place);
+    all_.add(glm::dvec2(foot));
   }
 
-  // Trees without tags differ by up to a fifth, by their place.
-  Tree make_tree(const osm::OsmTags& tags, const glm::dvec2& place) {
-    Tree tree;
-    const bool needles = tag_of(tags, "leaf_type") == "needleleaved";
-    const std::string cycle = tag_of(tags, "leaf_cycle");
-    tree.evergreen = cycle == "evergreen" || (needles && cycle.empty());
-    auto height = length_of(tags, "height", 1, 100),
-         crown = length_of(tags, "diameter_crown", 0.5, 40);
-    if (!height && !crown) ++set_.assumed_sizes;
-    if (!height && crown) height = std::max(*crown / crown_of_height, 2.0);
-    if (!height) {
-      Random random{std::llround(place.x * 100), std::llround(place.y * 100)};
-      height = (needles ? usual_needle_height_m : usual_height_m) * random.range(0.8, 1.2);
-    }
-    tree.height_m = *height;
-    tree.crown_m = crown.value_or(crown_of_height * tree.height_m);
-    // Crowns are kept clear of people; the lowest branches of a high tree are higher.
-    tree.clear_m = std::min(std::max(2.5, 0.25 * tree.height_m), 0.5 * tree.height_m);
-    return tree;
+  // The height of a model's tree: the ground's where the two agree or the model has none.
+  std::optional<double> find_foot(const ModelTree& tree) const {
+    const auto ground = height_at_(tree.place);
+    if (!tree.foot_m) return ground;
+    return ground && std::abs(*ground - *tree.foot_m) <= max_lift_m ? ground : tree.foot_m;
   }
 
-  using Square = std::pair<std::int64_t, std::int64_t>;
-  static Square square_of(const glm::dvec2& p) {
-    return {static_cast<std::int64_t>(std::floor(p.x / min_distance_m)),
-            static_cast<std::int64_t>(std::floor(p.y / min_distance_m))};
-  }
-  bool has_neighbour(const glm::dvec2& place, double distance_m) const {
-    const auto [i, j] = square_of(place);
-    for (std::int64_t column = i - 1; column <= i + 1; ++column)
-      for (std::int64_t row = j - 1; row <= j + 1; ++row)
-        if (const auto found = squares_.find({column, row}); found != squares_.end())
-          for (const glm::dvec2& p : found->second)
-            if (glm::distance(p, place) < distance_m) return true;
-    return false;
+  Tree make_tree(const KnownSize& known, const glm::dvec2& place) {
+    if (!known.height_m && !known.crown_m) ++set_.assumed_sizes;
+    return complete(known, place);
   }
 
   const place::LonLatToFrame& to_frame_;
@@ -152,15 +199,17 @@ class Planter {
   const place::InsideBuilding& inside_;
   TreeSet set_;
   std::size_t tried_ = 0;
-  std::map<Square, std::vector<glm::dvec2>> squares_;
+  NeighbourGrid all_{min_distance_m}, of_model_{same_tree_m};
 };
 
 }  // namespace
 
 TreeSet find_trees(const osm::OsmData& map, const ground_cover::Cover& cover,
                    const ground_cover::Box& bounds, const place::LonLatToFrame& to_frame,
-                   const place::HeightAt& height_at, const place::InsideBuilding& inside) {
+                   const place::HeightAt& height_at, const place::InsideBuilding& inside,
+                   std::span<const ModelTree> model) {
   Planter planter(to_frame, height_at, inside);
+  for (const ModelTree& tree : model) planter.add_of_model(tree);
   for (const osm::OsmPoint& tree : map.trees) planter.add_mapped(tree);
   for (const osm::OsmWay& row : map.tree_rows) planter.add_row(row);
   for (const ground_cover::CoverArea& area : cover.areas())

@@ -13,6 +13,7 @@ struct Tree {
   double height_m = 0;     // from foot to top
   double crown_m = 0;      // diameter of the crown
   double clear_m = 0;      // from foot to the lowest leaf
+  double trunk_m = 0;      // diameter of the trunk
   bool evergreen = false;  // has its leaves in winter
 };
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "tools/roads/road_class.h"
 
@@ -77,6 +79,43 @@ TEST(CoverGround, CarriagewaysLieBelowTheSlopeAndAllElseOnIt) {
     EXPECT_EQ(t.feature, sunken ? no_id : relief_feature);
   }
   EXPECT_NEAR(kerb_m2, 2 * 100 * roads::kerb_m, 1e-3);
+}
+
+TEST(CoverGround, ALoweredKerbHasTheAreaOfItsProfileAndNoGaps) {
+  Cover cover;
+  cover.add(band(2, 40, 46, {GroundKind::asphalt, true, true}));
+  cover.add(band(1, 36, 50, {GroundKind::paving_stones, false, false}));
+  for (ground_cover::RampFacet& facet :
+       ground_cover::make_ramp({50, 46}, {1, 0}, {0, 1}, roads::kerb_m - 0.03))
+    cover.add_ramp(std::move(facet));
+  cover.finish();
+  std::vector<Stored> triangles = make_slope(0.1f);
+  CoverCounts counts;
+  cover_ground(cover, {0, 0, 0}, triangles, counts);
+  double kerb_m2 = 0, plan_m2 = 0;
+  std::map<std::array<float, 6>, int> sides;  // of edges within the square
+  for (const Stored& t : triangles) {
+    plan_m2 += plan_area(t);
+    if (t.material == to_code(GroundKind::kerb))
+      kerb_m2 +=
+          glm::length(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])) / 2;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 &a = t.corners[k], &b = t.corners[(k + 1) % 3];
+      const auto inner = [](const glm::vec3& p) {
+        return p.x > 0.01f && p.x < 99.99f && p.z < -0.01f && p.z > -99.99f;
+      };
+      if (!inner(a) || !inner(b)) continue;
+      ++sides[{a.x, a.y, a.z, b.x, b.y, b.z}];
+    }
+  }
+  // North: 94 m of the whole kerb, 4 m of a low one, and two slopes from the one to the other.
+  const double north = 94 * roads::kerb_m + 4 * 0.03 + 2 * (roads::kerb_m + 0.03) / 2;
+  EXPECT_NEAR(kerb_m2, 100 * roads::kerb_m + north, 1e-3);
+  EXPECT_NEAR(plan_m2, 10'000, 1e-2);
+  for (const auto& [edge, count] : sides) {
+    const std::array<float, 6> back{edge[3], edge[4], edge[5], edge[0], edge[1], edge[2]};
+    EXPECT_TRUE(sides.contains(back)) << edge[0] << ' ' << edge[1] << ' ' << edge[2];
+  }
 }
 
 TEST(CoverGround, PaintIsSeenOnCarriagewaysOnly) {

@@ -55,7 +55,7 @@ fs::path write_map_with_names(const fs::path& folder, const char* name, bool bac
   std::ofstream(folder / (std::string(name) + ".osm"))
       << "<osm version='0.6'>\n" + nodes + ways + "</osm>\n";
   std::ofstream(folder / (std::string(name) + ".toml"))
-      << "[osm]\nfiles = ['" << name << ".osm']\n";
+      << "[osm]\nfiles = ['" << name << ".osm']\n[terrain]\nmap_reach_m = 0\n";
   return folder / (std::string(name) + ".toml");
 }
 

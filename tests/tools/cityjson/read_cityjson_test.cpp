@@ -235,6 +235,36 @@ TEST(CityJson, TemplatesArePlacedByTheirMatrix) {
     EXPECT_LT(glm::distance(read.objects[0].polygons[0].exterior[i], expected[i]), 1e-12);
 }
 
+TEST(CityJson, APlantHasItsSizesAndStandsAtItsPointOrTemplate) {
+  const std::string templates =
+      "\"geometry-templates\":{\"templates\":[{\"type\":\"MultiSurface\",\"lod\":\"2\","
+      "\"boundaries\":[[[0,1,2]]]}],\"vertices-templates\":[[0,0,0],[1,0,0],[0,1,0]]}";
+  const std::string attributes =
+      "\"attributes\":{\"height\":12.5,\"crownDiameter\":\"6\",\"trunkDiameter\":-1,"
+      "\"species\":\"Acer\",\"class\":\"1070\"}";
+  const std::string instance =
+      "{\"type\":\"GeometryInstance\",\"template\":0,\"boundaries\":[6],"
+      "\"transformationMatrix\":[1,0,0,0, 0,1,0,0, 0,0,1,0.5, 0,0,0,1]}";
+  const std::string point = "{\"type\":\"MultiPoint\",\"lod\":\"0\",\"boundaries\":[6]}";
+  const City read =
+      read_city(city_json(object("t", "SolitaryVegetationObject", instance, attributes) + "," +
+                              object("p", "SolitaryVegetationObject", point) + "," +
+                              object("f", "CityFurniture", instance),
+                          templates));
+  ASSERT_EQ(read.objects.size(), 3u);
+  const city::CityObject& tree = *read.find("t");
+  ASSERT_TRUE(tree.plant);
+  EXPECT_EQ(tree.plant->height_m, 12.5);
+  EXPECT_EQ(tree.plant->crown_m, 6);
+  EXPECT_FALSE(tree.plant->trunk_m);
+  EXPECT_EQ(tree.plant->odd_sizes, 1);
+  EXPECT_EQ(tree.plant->species, "Acer");
+  EXPECT_EQ(tree.building_class, "1070");
+  EXPECT_EQ(tree.points, (std::vector<glm::dvec3>{{12, 23, 34.5}}));
+  EXPECT_EQ(read.find("p")->points, (std::vector<glm::dvec3>{{12, 23, 34}}));
+  EXPECT_TRUE(read.find("f")->points.empty());
+}
+
 TEST(CityJson, ExtensionsAreSkippedAndCounted) {
   const City read = read_city(city_json(
       object("n", "+NoiseBarrier", solid(), "\"children\":[\"p\"]") + "," +

@@ -12,6 +12,7 @@
 
 #include "formats/error.h"
 #include "formats/median.h"
+#include "tools/bake/city/map_reach.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
 #include "tools/barriers/outlines.h"
@@ -150,6 +151,8 @@ CityReport City::read(std::initializer_list<CityConsumer*> consumers,
 GroundReport City::build_ground(std::initializer_list<CityConsumer*> consumers,
                                 const GroundBuilder::ShowGround& show) {
   if (!has_model()) return {};
+  if (is_map_alone(inputs_) && frame().has_lon_lat())
+    ground_.reach_for(find_map_places(map_, inputs_.cover, to_frame()));
   GroundReport report = ground_.build(frame(), show);
   if (inputs_.cover.gaps && frame().has_lon_lat() && !is_map_alone(inputs_)) fill_gaps(consumers);
   lay_cover(report);
@@ -216,6 +219,8 @@ void City::lay_cover(const GroundReport& ground) {
   if (has_streets) {
     const std::vector<osm::OsmWay> streets = find_ground_ways(map_.highways);
     ground_cover::add_streets(streets, options.parking, to_plan, bounds, cover_);
+    if (options.lowered_kerbs)
+      ground_cover::add_kerb_ramps(streets, map_.crossings, to_plan, bounds, cover_);
     if (options.markings)
       ground_cover::add_markings(
           {streets, map_.controls, map_.crossings, drives_on_the_left(), options.parking}, to_plan,

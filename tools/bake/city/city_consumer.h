@@ -10,6 +10,7 @@
 #include "tools/lights/building_use.h"
 #include "tools/lights/windows.h"
 #include "tools/mesh/triangle_mesh.h"
+#include "tools/trees/model_tree.h"
 
 namespace nightcity::bake {
 
@@ -20,6 +21,9 @@ struct PreparedObject {
   mesh::TriangleMesh mesh;     // without triangles where the object has points or lines alone
   bool lacks_heights = false;  // published at height 0: the ground decides how high it lies
   bool closed = false;         // a building whose surfaces bound a volume without a gap
+  /// The tree that a plant is, or why it is none.
+  std::optional<trees::ModelTree> tree;
+  trees::NoTree no_tree = trees::NoTree::no_plant;
   /// The use of the building, where it has been looked for while a part of the city was read.
   std::optional<lights::BuildingUse> use;
   /// Walls and windows, where they have been looked for while a part of the city was read.

@@ -12,6 +12,7 @@ namespace nightcity::bake {
 struct CoverOptions {
   bool streets = true;                  // of the map, where the model has no roads
   bool markings = true;                 // on those streets
+  bool lowered_kerbs = true;            // where people cross them
   std::optional<traffic::Side> side{};  // of the road that vehicles keep to; empty: by country
   bool parking = true;                  // lanes and bays along those streets
   bool rails = true;                    // of the map, where the model has no roads

@@ -15,6 +15,7 @@
 #include "formats/error.h"
 #include "formats/median.h"
 #include "tools/bake/city/ground_heights.h"
+#include "tools/bake/city/map_reach.h"
 #include "tools/terrain/thin_surface.h"
 
 namespace nightcity::bake {
@@ -225,8 +226,10 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
   return [this, prepared, parts = std::move(parts), tiles = std::move(tiles),
           outline = std::move(outline)](bool) {
     outline_.add(outline);
-    terrain_.add_points(prepared->object.points);
-    report_.relief_points += prepared->object.points.size();
+    if (!prepared->object.plant) {
+      terrain_.add_points(prepared->object.points);
+      report_.relief_points += prepared->object.points.size();
+    }
     for (const city::Ring& line : prepared->object.lines) {
       report_.relief_points += line.size();
       if (!terrain_.add_break_line(line)) ++report_.lone_vertices;
@@ -251,6 +254,14 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
     if (show_made) show_made(mesh);
   };
   const bool given = terrain_.has_relief();
+  std::optional<terrain::Extent> reach;
+  if (!places_.empty() && options_.map_reach_m > 0) {
+    reach = find_reach(occupied_, options_.tile_m, places_, options_.map_reach_m);
+    if (reach) {
+      add_tiles(places_, *reach, options_.tile_m, occupied_);
+      *reach = {reach->low - options_.margin_m, reach->high + options_.margin_m};
+    }
+  }
   if (!options_.elevation_models.empty() && !occupied_.empty()) {
     if (given) {
       report_.dem = "not used: the city brings its own relief";
@@ -259,7 +270,7 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
       report_.source = "dem";
     }
   }
-  terrain_.build(options_.margin_m, options_.max_error_m);
+  terrain_.build(options_.margin_m, options_.max_error_m, reach);
   report_.break_edges = terrain_.break_edges();
   const bool surface = !terrain_.made_surface().triangles.empty();
   if (report_.source.empty())

@@ -26,6 +26,9 @@ class GroundBuilder final : public CityConsumer {
 
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
 
+  /// Has the ground reach for these places of the map, by GroundOptions::map_reach_m.
+  void reach_for(std::vector<glm::dvec2> places) { places_ = std::move(places); }
+
   /// Gets the ground's triangles that are to be seen and belong to no object. E, N, H in metres.
   using ShowGround = std::function<void(const mesh::TriangleMesh&)>;
 
@@ -42,7 +45,8 @@ class GroundBuilder final : public CityConsumer {
 
   terrain::Terrain& terrain_;
   GroundOptions options_;
-  std::set<Tile> occupied_;  // tiles that hold some of the city
+  std::set<Tile> occupied_;         // tiles that hold some of the city
+  std::vector<glm::dvec2> places_;  // of the map
   terrain::Outline outline_;
   GroundReport report_;
 };

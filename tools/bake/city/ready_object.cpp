@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formats/checksum.h"
+#include "formats/finite.h"
 #include "tools/mesh/classify.h"
 #include "tools/mesh/close_gaps.h"
 #include "tools/mesh/simplify_outlines.h"
@@ -19,9 +20,10 @@ namespace nightcity::bake {
 namespace {
 
 std::uint64_t make_identity(const city::CityObject& object) {
-  if (object.id.empty() || object.polygons.empty()) return 0;
+  if (object.id.empty() || (object.polygons.empty() && !object.plant)) return 0;
   std::string key = object.id;
-  const city::Ring& ring = object.polygons.front().exterior;
+  const city::Ring& ring =
+      object.polygons.empty() ? object.points : object.polygons.front().exterior;
   if (!ring.empty()) key.append(reinterpret_cast<const char*>(&ring.front()), sizeof(glm::dvec3));
   return checksum(key.data(), key.size());
 }
@@ -68,11 +70,14 @@ bool stand_on_ground(city::CityObject& object, const GroundHeights& heights) {
 }
 
 bool is_far_away(const city::CityObject& object, const CityFrames& frames) {
+  const glm::dvec2 middle(frames.reference());
   for (const city::Polygon& polygon : object.polygons)
     for (const glm::dvec3& p : polygon.exterior)
-      if (glm::distance(glm::dvec2(p), glm::dvec2(frames.reference())) > max_distance_m)
-        return true;
-  return false;
+      if (glm::distance(glm::dvec2(p), middle) > max_distance_m) return true;
+  if (!object.plant) return false;
+  return std::any_of(object.points.begin(), object.points.end(), [&](const glm::dvec3& p) {
+    return !finite(p) || glm::distance(glm::dvec2(p), middle) > max_distance_m;
+  });
 }
 
 // Triangles of several colours would lose them when they are thinned.
@@ -126,10 +131,12 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
   const auto prepared = std::make_shared<PreparedObject>();
   prepared->lacks_heights = lacks_heights(object);
   to_city_frame(object, file, frames);
-  if (object.polygons.empty()) {
-    if (object.points.empty() && object.lines.empty()) result.unusable = Unusable::without_geometry;
+  if (object.polygons.empty() && object.points.empty() && object.lines.empty()) {
+    result.unusable = Unusable::without_geometry;
   } else if (is_far_away(object, frames)) {
     result.unusable = Unusable::far_away;
+  } else if (object.polygons.empty()) {
+    // Points and lines alone have no mesh.
   } else if (settings.heights && !stand_on_ground(object, *settings.heights)) {
     result.unusable = Unusable::without_ground;
   } else {
@@ -143,6 +150,7 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
       thin(prepared->mesh, settings.max_error_m, result.report);
     if (prepared->mesh.triangles.empty()) result.unusable = Unusable::without_area;
   }
+  prepared->tree = trees::find_model_tree(object, &prepared->no_tree);
   prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;
   prepared->object = std::move(object);
   result.prepared = prepared;

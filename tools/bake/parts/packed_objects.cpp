@@ -31,12 +31,20 @@ city::CityObject strip(const city::CityObject& object) {
   stripped.storey_heights_m = object.storey_heights_m;
   stripped.lod = object.lod;
   stripped.of_map = object.of_map;
+  stripped.plant = object.plant;
   stripped.points = object.points;
   stripped.lines = object.lines;
   if (std::any_of(object.polygons.begin(), object.polygons.end(), has_colour))
     for (const city::Polygon& polygon : object.polygons)
       stripped.polygons.emplace_back().diffuse_colour = polygon.diffuse_colour;
   return stripped;
+}
+
+// Field by field: the bytes between them would be any.
+template <class Archive, class Tree>
+void visit_tree(Archive& archive, Tree& tree) {
+  archive(tree.place, tree.foot_m, tree.height_m, tree.crown_m, tree.trunk_m, tree.habit.needles,
+          tree.habit.evergreen, tree.is_shrub, tree.odd_sizes);
 }
 
 template <class Archive, class Ready, class Prepared>
@@ -62,6 +70,8 @@ std::string pack_objects(const std::vector<ReadyObject>& objects) {
     else
       pack(strip(object));
     last_id = &object.id;
+    pack(prepared.no_tree, prepared.tree.has_value());
+    if (prepared.tree) visit_tree(pack, *prepared.tree);
     pack(prepared.windows != nullptr);
     if (prepared.windows) pack(*prepared.windows);
   }
@@ -78,7 +88,9 @@ std::vector<ReadyObject> unpack_objects(std::string_view bytes, const std::strin
     const auto prepared = std::make_shared<PreparedObject>();
     visit(unpack, ready, *prepared);
     unpack(prepared->object);
-    bool has_windows = false;
+    bool is_tree = false, has_windows = false;
+    unpack(prepared->no_tree, is_tree);
+    if (is_tree) visit_tree(unpack, prepared->tree.emplace());
     unpack(has_windows);
     if (has_windows) {
       const auto windows = std::make_shared<Windows>();

@@ -155,6 +155,17 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                 "gravel. "
                 "The building's id alone decides which, and which shade of it. `false`: all walls "
                 "are of one grey (0.35), and all roofs (0.20)."),
+       choice_key<trees::Vegetation>(
+           "vegetation", city.vegetation,
+           {{"trees", trees::Vegetation::trees},
+            {"surfaces", trees::Vegetation::surfaces},
+            {"none", trees::Vegetation::none}},
+           "What stands for the model's vegetation. `trees`: each SolitaryVegetationObject that is "
+           "1 m high or more is a tree as those of the map are, in the season of `[ground] "
+           "trees`, as large as its attributes say, else as its surfaces are; a tree of the map "
+           "within 4 m of it is left out. Other vegetation, such as PlantCover, is the surfaces "
+           "that the model has. `surfaces`: all of it is, and no light passes them. `none`: "
+           "there is none."),
        texts_key(
            "licence", city.licences, "\"Geoportal Berlin, dl-de/by-2-0\"",
            "The attribution of the model, one line or several. Both output files carry it.")}};

@@ -17,6 +17,7 @@
 #include "tools/map_lights/map_light_options.h"
 #include "tools/osm/osm_data.h"
 #include "tools/traffic/traffic.h"
+#include "tools/trees/model_tree.h"
 
 namespace nightcity::bake {
 
@@ -38,6 +39,7 @@ struct Recipe {
     bool drop_ground = false;
     bool drop_hidden = false;
     bool skins = true;
+    trees::Vegetation vegetation = trees::Vegetation::trees;
     std::vector<std::string> licences;
   } city;
 

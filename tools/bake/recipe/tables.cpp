@@ -53,25 +53,31 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
 }
 
 Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
-  return {"terrain",
-          "The ground of a city whose model has no relief.",
-          {paths_key("dem", terrain.elevation_models, folder, false, R"(["heights.tif"])",
-                     "Digital elevation models in a raster format that GDAL reads, except those "
-                     "that lead to other files or the network (VRT, WMS). They are not "
-                     "used where the city model has a relief of its own."),
-           integer_key("max_dem_block_mpx", terrain.max_dem_block_mpx, 1, 10'000,
-                       "A limit: the bake ends at an elevation model whose blocks (tiles or rows, "
-                       "which are unpacked as a whole) have more pixels, in millions. The size of "
-                       "the model itself does not matter."),
-           flag_key("make_surface", terrain.make_surface,
-                    "Where there is neither a relief nor an elevation model, makes a ground "
-                    "surface through the footprints of the buildings."),
-           number_key("max_error_m", terrain.max_error_m, {0, 100}, "m",
-                      "Thins the ground, whatever it is made of: vertices are left out where the "
-                      "ground stays within so much above or below each of them. Borders of tiles "
-                      "and of the model's own triangles still meet. 0 leaves all."),
-           number_key("margin_m", terrain.margin_m, {0, 10000}, "m",
-                      "How far a ground made by this program reaches beyond the buildings.")}};
+  return {
+      "terrain",
+      "The ground of a city whose model has no relief.",
+      {paths_key("dem", terrain.elevation_models, folder, false, R"(["heights.tif"])",
+                 "Digital elevation models in a raster format that GDAL reads, except those "
+                 "that lead to other files or the network (VRT, WMS). They are not "
+                 "used where the city model has a relief of its own."),
+       integer_key("max_dem_block_mpx", terrain.max_dem_block_mpx, 1, 10'000,
+                   "A limit: the bake ends at an elevation model whose blocks (tiles or rows, "
+                   "which are unpacked as a whole) have more pixels, in millions. The size of "
+                   "the model itself does not matter."),
+       flag_key("make_surface", terrain.make_surface,
+                "Where there is neither a relief nor an elevation model, makes a ground "
+                "surface through the footprints of the buildings."),
+       number_key("max_error_m", terrain.max_error_m, {0, 100}, "m",
+                  "Thins the ground, whatever it is made of: vertices are left out where the "
+                  "ground stays within so much above or below each of them. Borders of tiles "
+                  "and of the model's own triangles still meet. 0 leaves all."),
+       number_key("margin_m", terrain.margin_m, {0, 10000}, "m",
+                  "How far a ground made by this program reaches beyond the buildings."),
+       number_key("map_reach_m", terrain.map_reach_m, {0, 10000}, "m",
+                  "Where the city is the map alone: how far at most its ground reaches beyond "
+                  "the tiles that its buildings lie in, to hold the map's streets, tracks and "
+                  "trees, as far as `[ground]` asks for them, and `margin_m` beyond those. 0: no "
+                  "farther than `margin_m` beyond the buildings.")}};
 }
 
 Table make_ground_table(bake::CoverOptions& ground) {
@@ -96,6 +102,12 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "`traffic_signals:direction` says, else towards the nearest junction. Vehicles "
                 "keep to the side that `[traffic] side` or the country says. A node with "
                 "`highway=crossing` that says so has bars where no way says what is painted."),
+       flag_key("lowered_kerbs", ground.lowered_kerbs,
+                "With `streets`: the ground beside a street with kerbs comes down to 0.03 m above "
+                "the carriageway where people cross, at nodes with `highway=crossing` and those of "
+                "a crossing's way (`footway=crossing` and the like), along 4 m, with slopes of 6 % "
+                "behind (DIN 18040-3). `kerb=raised` leaves the kerb, `flush` and `no` take it "
+                "away. In the middle of junctions there are none."),
        flag_key(
            "parking", ground.parking,
            "With `streets`: where cars park along them, as `parking:left`, `right`, `both` or "
@@ -148,12 +160,11 @@ Table make_ground_table(bake::CoverOptions& ground) {
             {"winter", trees::Season::winter},
             {"none", trees::Season::none}},
            "Trees of the map, which cast shadows: `natural=tree`, rows of trees, one every 8 m, "
-           "and "
-           "woods, one in each square of 7 m. `height` and `diameter_crown` say how large they "
-           "are, "
-           "else a guess. Light passes the gaps of their crowns: 3.3 % of what falls on a crown "
-           "with "
-           "leaves, 46 % in winter, when only `leaf_cycle=evergreen` and needles stay green.")}};
+           "and woods, one in each square of 7 m; and those of the model (`[city] vegetation`). "
+           "`height` and `diameter_crown` say how large they are, else a guess. Light passes the "
+           "gaps of their crowns: 3.3 % of what falls on a crown with leaves, 46 % in winter, "
+           "when only evergreens stay green, by `leaf_cycle`, `leaf_type` and the genus "
+           "(`species`, `genus`). `none`: no trees, of the map or of the model.")}};
 }
 
 Table make_origin_table(bake::Recipe::Origin& origin) {

@@ -39,6 +39,7 @@ void add_all(const std::map<std::string, Number>& from, std::map<std::string, Nu
 
 void CoverReport::add(const ground_cover::Cover& cover) {
   areas += cover.areas().size();
+  lowered_kerbs += cover.lowered_kerbs;
   add_all(cover.markings, markings);
   add_all(cover.left_out, left_out);
   add_all(cover.assumed, assumed);
@@ -48,17 +49,23 @@ void CoverReport::add(const ground_cover::Cover& cover) {
 }
 
 nlohmann::json to_json(const TreeReport& report) {
-  return {{"source", "map"},
-          {"trees", report.sources},
+  return {{"trees", report.sources},
           {"left_out", report.left_out},
-          {"assumed_sizes", report.assumed_sizes}};
+          {"assumed_sizes", report.assumed_sizes},
+          {"odd_sizes", report.odd_sizes},
+          {"surfaces", report.surfaces}};
 }
 
 std::string to_text(const TreeReport& report) {
-  if (report.sources.empty() && report.left_out.empty()) return {};
+  if (report.sources.empty() && report.left_out.empty() && report.surfaces.empty()) return {};
   std::string text =
       report_line("trees", fmt::format("{}; {} of a size that is assumed", in_words(report.sources),
                                        report.assumed_sizes));
+  if (report.odd_sizes > 0)
+    text += report_line(
+        "", fmt::format("{} sizes of the model not used: no tree has them", report.odd_sizes));
+  if (!report.surfaces.empty())
+    text += report_line("", "surfaces of the model: " + in_words(report.surfaces));
   if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
   return text;
 }
@@ -70,6 +77,7 @@ nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles)
           {"bare_m2", std::round(10 * tiles.bare_m2) / 10},
           {"triangles_added", tiles.cover_triangles},
           {"tiles_left_bare", tiles.uncovered_tiles},
+          {"lowered_kerbs", report.lowered_kerbs},
           {"markings", report.markings},
           {"tracks_m", to_json(report.tracks_m)},
           {"parking_m", to_json(report.parking_m)},
@@ -88,6 +96,8 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
   if (!report.parking_m.empty())
     text += report_line("", "parking lanes, in m: " + amounts_in_words(report.parking_m));
   if (!report.markings.empty()) text += report_line("", "painted: " + in_words(report.markings));
+  if (report.lowered_kerbs > 0)
+    text += report_line("", fmt::format("kerbs lowered at {} crossings", report.lowered_kerbs));
   if (!report.assumed.empty()) text += report_line("", "assumed: " + in_words(report.assumed));
   if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
   if (!report.left_out_m.empty())

@@ -13,6 +13,7 @@ namespace nightcity::bake {
 
 struct CoverReport {
   std::size_t areas = 0;                        // of the map that lie on the ground
+  std::size_t lowered_kerbs = 0;                // crossings where kerbs come down
   std::map<std::string, std::size_t> markings;  // by what they are
   std::map<std::string, std::size_t> left_out;  // by reason
   std::map<std::string, std::size_t> assumed;   // what no tag says
@@ -27,7 +28,9 @@ struct CoverReport {
 struct TreeReport {
   std::map<std::string, std::size_t> sources;   // trees, by where they are from
   std::map<std::string, std::size_t> left_out;  // by reason
-  std::size_t assumed_sizes = 0;                // trees whose size no tag gives
+  std::size_t assumed_sizes = 0;                // trees whose size nothing gives
+  std::size_t odd_sizes = 0;                    // that the model gives and no tree has
+  std::map<std::string, std::size_t> surfaces;  // plants of the model that are no trees, by reason
 };
 nlohmann::json to_json(const TreeReport& report);
 std::string to_text(const TreeReport& report);

@@ -35,6 +35,8 @@ double plan_area(const Stored& t) {
   return plan_area(to_plan(t.corners[0]), to_plan(t.corners[1]), to_plan(t.corners[2]));
 }
 
+// A greater step is one of the ground itself.
+constexpr double same_height_m = 1e-3;
 // Below this a triangle stands upright or has no extent.
 constexpr double min_area_m2 = 1e-6;
 
@@ -95,19 +97,24 @@ Box find_plan_box(const std::vector<Stored>& ground) {
 
 class Coverer {
  public:
+  // `corner`: the origin of the part's coordinates.
   Coverer(const ground_cover::Cover& cover, const ground_cover::CoverPart& part,
-          std::vector<Stored>& out, CoverCounts& counts)
-      : cover_(cover), part_(part), out_(out), counts_(counts) {}
+          const glm::dvec2& corner, std::vector<Stored>& out, CoverCounts& counts)
+      : cover_(cover), part_(part), corner_(corner), out_(out), counts_(counts) {}
 
   // Covers triangles that no outline crosses.
   void cover_whole(const std::vector<Stored>& whole) {
-    const mesh::OwnerFinder areas(part_.areas), markings(part_.markings);
+    const mesh::OwnerFinder areas(part_.areas), markings(part_.markings), ramps(part_.ramps);
     for (const Stored& triangle : whole) {
       const glm::dvec2 middle = (to_plan(triangle.corners[0]) + to_plan(triangle.corners[1]) +
                                  to_plan(triangle.corners[2])) /
                                 3.0;
       Stored made = triangle;
-      apply(find_surface(areas.find(middle)), markings.find(middle), made);
+      const Surface* surface = find_surface(areas.find(middle));
+      const std::uint32_t ramp = ramps.find(middle);
+      apply(surface, markings.find(middle), made);
+      for (glm::vec3& corner : made.corners)
+        corner.y -= static_cast<float>(find_depth_m(surface, ramp, to_plan(corner)));
       count(made);
       out_.push_back(made);
     }
@@ -115,10 +122,12 @@ class Coverer {
 
   // Cuts triangles along the outlines.
   void cover_cut(const std::vector<Stored>& cut) {
-    const std::vector<mesh::PlaneLayer> layers{part_.areas, part_.markings, find_facets(cut)};
+    const std::vector<mesh::PlaneLayer> layers{part_.areas, part_.markings, find_facets(cut),
+                                               part_.ramps};
     const mesh::PlanePartition plan = mesh::partition(layers);
     const GroundHeights heights(cut);
     heights_.assign(plan.points.size(), std::nan(""));
+    lowering_m_.assign(plan.points.size(), std::nan(""));
     for (const mesh::PlanePartition::Triangle& piece : plan.triangles) {
       const std::vector<std::uint32_t>& owners = plan.owners[piece.region];
       if (owners[2] == mesh::no_label) continue;  // beyond the tile's ground
@@ -132,12 +141,17 @@ class Coverer {
         const double height = heights.find(p, middle, made);
         if (std::isnan(shared)) shared = height;
         // Neighbours share the height of their corner to the last bit.
-        constexpr double step_m = 1e-3;  // a step in the ground itself
-        made.corners[k] = to_model(p, std::abs(height - shared) < step_m ? shared : height);
+        made.corners[k] = to_model(p, std::abs(height - shared) < same_height_m ? shared : height);
       }
       const Surface* surface = find_surface(owners[0]);
       apply(surface, owners[1], made);
-      const double depth_m = surface && surface->sunken ? roads::kerb_m : 0;
+      glm::dvec3 depth_m;
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = piece.vertex[k];
+        depth_m[k] =
+            share_lowering(vertex, surface, find_depth_m(surface, owners[3], plan.points[vertex]));
+        made.corners[k].y -= static_cast<float>(depth_m[k]);
+      }
       count(made);
       out_.push_back(made);
       remember_edges(piece, depth_m);
@@ -160,8 +174,22 @@ class Coverer {
                                 : is_painted ? GroundKind::paint
                                              : surface->kind);
     triangle.feature = no_id;
-    if (surface && surface->sunken)
-      for (glm::vec3& corner : triangle.corners) corner.y -= static_cast<float>(roads::kerb_m);
+  }
+
+  // `ramp`: number of the facet of a ramp, which lowers what is not sunken. `place`: in the part.
+  double find_depth_m(const Surface* surface, std::uint32_t ramp, const glm::dvec2& place) const {
+    if (surface && surface->sunken) return roads::kerb_m;
+    if (ramp == mesh::no_label) return 0;
+    return std::clamp(cover_.ramps()[ramp].find_lowering_m(place + corner_), 0.0, roads::kerb_m);
+  }
+
+  // Outlines are rounded to a millimetre, so neighbouring facets differ by less than that where
+  // they meet: they share the lowering of their corner to the last bit.
+  double share_lowering(std::uint32_t vertex, const Surface* surface, double depth_m) {
+    if (surface && surface->sunken) return depth_m;
+    double& shared = lowering_m_[vertex];
+    if (std::isnan(shared)) shared = depth_m;
+    return std::abs(depth_m - shared) < same_height_m ? shared : depth_m;
   }
 
   void count(const Stored& triangle) {
@@ -172,44 +200,60 @@ class Coverer {
       counts_.bare_m2 += area_m2;
   }
 
-  // An edge of a piece, from `a` to `b` counter-clockwise round it.
+  // An edge of a piece, from `a` to `b` counter-clockwise round it, and how deep its ends lie.
   struct Edge {
     std::uint32_t a, b;
-    double depth_m;
+    double a_depth_m, b_depth_m;
+    double depth_at(std::uint32_t vertex) const { return vertex == a ? a_depth_m : b_depth_m; }
+    double sum_m() const { return a_depth_m + b_depth_m; }
   };
 
-  void remember_edges(const mesh::PlanePartition::Triangle& piece, double depth_m) {
-    for (std::size_t k = 0; k < 3; ++k)
-      edges_.push_back({piece.vertex[k], piece.vertex[(k + 1) % 3], depth_m});
+  void remember_edges(const mesh::PlanePartition::Triangle& piece, const glm::dvec3& depth_m) {
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      edges_.push_back({piece.vertex[k], piece.vertex[next], depth_m[k], depth_m[next]});
+    }
   }
 
-  // Adds a kerb between two pieces of which one is sunken: the other ends there, and the kerb faces
-  // the sunken one.
+  // Adds a kerb between two pieces of which one lies deeper: the other ends there, and the kerb
+  // faces the deeper one.
   void add_kerbs(const mesh::PlanePartition& plan) {
     const auto key = [](const Edge& e) { return std::minmax(e.a, e.b); };
     std::stable_sort(edges_.begin(), edges_.end(),
                      [&](const Edge& a, const Edge& b) { return key(a) < key(b); });
     for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
       const Edge &first = edges_[i], &second = edges_[i + 1];
-      if (key(first) != key(second) || first.depth_m == second.depth_m) continue;
-      const Edge& low = first.depth_m > second.depth_m ? first : second;
-      const double drop_m = std::abs(first.depth_m - second.depth_m);
-      const glm::dvec2 &a = plan.points[low.a], &b = plan.points[low.b];
-      const glm::vec3 a_high = to_model(a, heights_[low.a]), b_high = to_model(b, heights_[low.b]);
-      const glm::vec3 down(0, static_cast<float>(drop_m), 0);
-      Stored kerb{{a_high - down, a_high, b_high}, to_code(GroundKind::kerb), no_id, 0};
-      out_.push_back(kerb);
-      kerb.corners[1] = b_high;
-      kerb.corners[2] = b_high - down;
-      out_.push_back(kerb);
+      if (key(first) != key(second)) continue;
+      if (first.sum_m() > second.sum_m())
+        add_kerb(plan, first, second);
+      else if (first.sum_m() < second.sum_m())
+        add_kerb(plan, second, first);
     }
+  }
+
+  void add_kerb(const mesh::PlanePartition& plan, const Edge& low, const Edge& high) {
+    const auto corner = [&](std::uint32_t vertex, const Edge& edge) {
+      glm::vec3 p = to_model(plan.points[vertex], heights_[vertex]);
+      p.y -= static_cast<float>(edge.depth_at(vertex));  // as the pieces' own corners
+      return p;
+    };
+    const glm::vec3 a_low = corner(low.a, low), b_low = corner(low.b, low),
+                    a_high = corner(low.a, high), b_high = corner(low.b, high);
+    const auto add = [&](const glm::vec3& p, const glm::vec3& q, const glm::vec3& r) {
+      if (p != q && q != r && r != p)
+        out_.push_back({{p, q, r}, to_code(GroundKind::kerb), no_id, 0});
+    };
+    add(a_low, a_high, b_high);
+    add(a_low, b_high, b_low);
   }
 
   const ground_cover::Cover& cover_;
   const ground_cover::CoverPart& part_;
+  glm::dvec2 corner_;
   std::vector<Stored>& out_;
   CoverCounts& counts_;
-  std::vector<double> heights_;  // of the ground at the partition's points
+  // At the partition's points: of the ground, and by how much ramps lower it.
+  std::vector<double> heights_, lowering_m_;
   std::vector<Edge> edges_;
 };
 
@@ -227,7 +271,7 @@ void cover_ground(const ground_cover::Cover& cover, const glm::dvec3& origin,
       cover.find_part({box.low + corner, box.high + corner}, corner);
   if (part.areas.empty() && part.markings.empty()) return;
   LineGrid lines(box);
-  for (const mesh::PlaneLayer* layer : {&part.areas, &part.markings})
+  for (const mesh::PlaneLayer* layer : {&part.areas, &part.markings, &part.ramps})
     for (const mesh::PlaneArea& area : *layer)
       for (const auto& ring : area.rings) lines.add_ring(ring);
   std::vector<Stored> cut, whole;
@@ -235,7 +279,7 @@ void cover_ground(const ground_cover::Cover& cover, const glm::dvec3& origin,
     (lines.meets(find_plan_box({triangle})) ? cut : whole).push_back(triangle);
   CoverCounts own;
   try {
-    Coverer coverer(cover, part, covered, own);
+    Coverer coverer(cover, part, corner, covered, own);
     coverer.cover_whole(whole);
     coverer.cover_cut(cut);
   } catch (const Error&) {

@@ -41,6 +41,10 @@ SceneTiles::SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch
 
 CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};  // points or lines alone
+  if (stands_otherwise(*prepared))
+    return [this, number = prepared->mesh.triangles.size()](bool) {
+      add_count(report_.left_out, "triangles of vegetation", number);
+    };
   const bool is_building = prepared->object.type == city::ObjectType::building;
   const bool drop = options_.drop_ground && is_building;
   std::optional<BuildingSkin> skin;
@@ -57,6 +61,19 @@ CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObjec
     else
       tiles_.add(triangles, last_feature_, prepared->closed);
   };
+}
+
+// Returns whether the object's surfaces are not shown: it becomes a tree, or nothing.
+bool SceneTiles::stands_otherwise(const PreparedObject& prepared) const {
+  switch (options_.vegetation) {
+    case trees::Vegetation::trees:
+      return prepared.tree.has_value();
+    case trees::Vegetation::none:
+      return prepared.object.type == city::ObjectType::vegetation;
+    case trees::Vegetation::surfaces:
+      break;
+  }
+  return false;
 }
 
 void SceneTiles::add_ground(const mesh::TriangleMesh& mesh) {

@@ -19,6 +19,7 @@
 #include "tools/bake/scene/skin_buildings.h"
 #include "tools/bake/scene/tile_store.h"
 #include "tools/barriers/barrier_shape.h"
+#include "tools/trees/model_tree.h"
 
 namespace nightcity::bake {
 
@@ -27,7 +28,8 @@ struct SceneTileOptions {
   bool drop_ground = false;  // leave out the ground surfaces under buildings: nothing sees them
   bool drop_hidden = false;  // leave out walls between houses and what lies below the ground
   bool skins = true;         // give buildings without a colour the finish of their use and age
-  unsigned threads = 0;      // 0: one a core
+  trees::Vegetation vegetation = trees::Vegetation::trees;  // of the model
+  unsigned threads = 0;                                     // 0: one a core
 };
 
 /// Each object becomes a feature of the writer, and its triangles wait on disk, sorted into tiles.
@@ -70,6 +72,7 @@ class SceneTiles final : public CityConsumer {
   WrittenTile build(const TileKey& key, const City& city);
   void write(WrittenTile&& tile, const Georeference& georeference);
   void count(const CoverCounts& cover);
+  bool stands_otherwise(const PreparedObject& prepared) const;
   std::uint32_t add_feature(const city::CityObject& object);
 
   SceneWriter& writer_;

@@ -40,7 +40,7 @@ class TreeModels {
     const SceneMaterial bark = named(ground_cover::GroundKind::soil, "bark");
     const auto mesh = writer_.add_mesh({"trunk", {make_prism(1, 6, writer_.add_material(bark))}});
     add("trunks", mesh, trees, [&](const trees::Tree& tree) {
-      const auto radius = static_cast<float>(0.015 * tree.height_m);
+      const auto radius = static_cast<float>(tree.trunk_m / 2);
       // Into the crown, where it ends unseen.
       const auto top = static_cast<float>((tree.clear_m + tree.height_m) / 2);
       return glm::scale(at_foot(tree), {radius, top, radius});
