@@ -52,7 +52,7 @@ struct BridgeReport {
 
 class BridgeDecks {
  public:
-  /// Where a way lies on a deck.
+  /// A way's place on the deck that carries it.
   struct Lifted {
     std::size_t deck;
     double from_m;  // along the deck: of the way's first point

@@ -19,7 +19,7 @@ const char* name_of(Carried kind);
 /// Thickness of a deck, m: a beam's span over 20 for a span of 16 m, an assumption.
 constexpr double deck_m = 0.8;
 
-/// What a kind of way asks of a bridge that carries it, and of one that it passes below.
+/// The rules of a kind of way for a bridge that carries it, and for one that it passes below.
 struct CarriedKind {
   DeckRules rules;
   double clear_m;        // height of what passes below a bridge

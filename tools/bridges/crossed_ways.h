@@ -1,4 +1,4 @@
-// What bridges cross: streets, paths and tracks, by their places in the plane.
+// Finds the streets, paths and tracks that a bridge crosses, by their places in the plane.
 #pragma once
 
 #include <cstdint>

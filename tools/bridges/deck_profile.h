@@ -8,7 +8,7 @@
 
 namespace nightcity::bridges {
 
-/// What a deck may not go beyond.
+/// The limits that a deck keeps to.
 struct DeckRules {
   double max_gradient = 0.08;  // rise over run
   double crest_radius_m = 250;

@@ -1,4 +1,4 @@
-// What attributes say of plants.
+// Reads the attributes of plants.
 #pragma once
 
 #include <optional>

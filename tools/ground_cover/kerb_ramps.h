@@ -19,7 +19,7 @@ struct Box;
 constexpr double lowered_kerb_m = 0.03;
 /// The greatest slope of a ramp along which people go (DIN 18040-3: 6 %).
 constexpr double max_ramp_slope = 0.06;
-/// How far the kerb comes down beside a crossing, m: the length of a sloped kerbstone.
+/// The kerb comes down so far beside a crossing, m: the length of a sloped kerbstone.
 constexpr double flare_m = 1.0;
 
 /// A plane piece of a ramp. Within its ring the ground lies lower by a linear function of the

@@ -20,7 +20,7 @@ class Widener {
 
   /// The sides of a line that its area lies on, seen in its direction.
   enum class Side { both, left, right };
-  /// How an area ends at the ends of its line.
+  /// The shape of an area at the ends of its line.
   enum class Ends { round, flat };
 
   /// Returns the rings of all places within `distance_m` of the line (GEOS, buffer): mitred at its

@@ -119,7 +119,7 @@ const FileFormat* recognise(const FileStart& start) {
   return format == formats.end() ? nullptr : &*format;
 }
 
-// Of an archive's entry, the name that it has there.
+// Returns the file's name, or that of an archive's entry.
 std::string name_of(const city::Document& document) {
   return to_lower(std::filesystem::path(document.name).filename().string());
 }

@@ -32,7 +32,7 @@ std::optional<double> length_of(const osm::OsmTags& tags, const char* key, doubl
   return length && *length >= low && *length <= high ? length : std::nullopt;
 }
 
-// What is known of a tree's size; the rest is assumed.
+// The known part of a tree's size; the rest is assumed.
 struct KnownSize {
   std::optional<double> height_m, crown_m, trunk_m;
   LeafHabit habit;

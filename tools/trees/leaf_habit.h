@@ -1,4 +1,4 @@
-// What a tree's species says of its leaves.
+// Tells from a tree's species what its leaves are like.
 #pragma once
 
 #include <optional>

@@ -10,8 +10,8 @@
 
 namespace nightcity::trees {
 
-/// What becomes of a city model's vegetation: plants that stand alone become trees and the rest
-/// surfaces, all of it becomes the surfaces that the model has, or it is left out.
+/// Says what becomes of a city model's vegetation: plants that stand alone become trees and the
+/// rest surfaces, all of it becomes the surfaces that the model has, or it is left out.
 enum class Vegetation : std::uint8_t { trees, surfaces, none };
 
 /// A lower plant is no tree, m: an assumption.

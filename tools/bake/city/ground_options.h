@@ -19,8 +19,8 @@ struct GroundOptions {
   /// By which the ground's heights may be off where vertices are left out; 0: all stay.
   double max_error_m = 0;
   double margin_m = 50;  // how far made ground reaches beyond the city
-  /// How far it reaches beyond the buildings of a city that is its map alone, at most, where streets
-  /// and tracks do.
+  /// The ground of a city that is its map alone goes on with streets and tracks, at most so far
+  /// beyond the buildings.
   double map_reach_m = 500;
   bool keeps_outline = false;  // remember the edge of the ground, where the horizon begins
   double tile_m = 250;         // side of the tiles that the ground comes in

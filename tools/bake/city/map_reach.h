@@ -1,4 +1,4 @@
-// How far the ground of a city that comes from its map alone has to reach, to hold the map's
+// Finds how far the ground of a city that comes from its map alone has to reach, to hold the map's
 // streets, tracks and trees.
 #pragma once
 
