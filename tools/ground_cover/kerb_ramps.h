@@ -42,7 +42,8 @@ std::vector<RampFacet> make_ramp(const glm::dvec2& kerb, const glm::dvec2& along
 
 /// Adds ramps to `cover` on both sides of kerbed streets at each `highway=crossing` and at each
 /// node of a crossing's way, as far as they lie in `bounds`, but for those in the middle of a
-/// junction, in tunnels and on bridges. `kerb` says how high the kerb is: `raised` leaves it, `flush` or `no` takes it away.
+/// junction, in tunnels and on bridges. `kerb` says how high the kerb is: `raised` leaves it,
+/// `flush` or `no` takes it away.
 void add_kerb_ramps(std::span<const osm::OsmWay> ways, std::span<const osm::OsmPoint> crossings,
                     const place::LonLatToFrame& to_frame, const Box& bounds, Cover& cover);
 

@@ -13,8 +13,8 @@
 namespace nightcity::terrain {
 
 /// Returns a Delaunay surface (in plan) through `points`, with a rim `margin_m` outside their
-/// bounds at the height of the nearest point, which also holds `reach`. Of points with the same plan position the lowest
-/// counts. Empty without a finite point.
+/// bounds at the height of the nearest point, which also holds `reach`. Of points with the same
+/// plan position the lowest counts. Empty without a finite point.
 mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m,
                                 const std::optional<Extent>& reach = {});
 

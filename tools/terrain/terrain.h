@@ -48,9 +48,9 @@ class Terrain {
 
   /// If no terrain was added, makes a Delaunay surface through the relief's points, else the
   /// ground surfaces' vertices, else the roads', reaching `margin_m` beyond their bounds and over
-  /// all of `reach`, so that every city has a ground. It counts as terrain. Of several vertices on one vertical
-  /// line the lowest is taken. The surface is thinned by thin_surface where `max_error_m` is above
-  /// 0.
+  /// all of `reach`, so that every city has a ground. It counts as terrain. Of several vertices on
+  /// one vertical line the lowest is taken. The surface is thinned by thin_surface where
+  /// `max_error_m` is above 0.
   void build(double margin_m, double max_error_m = 0, const std::optional<Extent>& reach = {});
 
   struct Hit {
