@@ -1,4 +1,5 @@
 #include "tools/trees/find_trees.h"
+#include "tests/tools/trees/flat_place.h"
 
 #include <gtest/gtest.h>
 
@@ -8,14 +9,8 @@
 namespace nightcity::trees {
 namespace {
 
-// Degrees stand for metres here; the ground lies at 5 m within 500 m, and a house stands at the
-// origin.
-const place::LonLatToFrame as_metres = [](const glm::dvec2& p) { return p; };
-const place::HeightAt ground = [](const glm::dvec2& p) {
-  return std::max(std::abs(p.x), std::abs(p.y)) <= 500 ? std::optional(5.0) : std::nullopt;
-};
+// A house at the origin.
 const place::InsideBuilding house = [](const glm::dvec2& p) { return glm::length(p) < 10; };
-constexpr ground_cover::Box bounds{{-500, -500}, {500, 500}};
 
 TreeSet find(const osm::OsmData& map, const ground_cover::Cover& cover = {}) {
   return find_trees(map, cover, bounds, as_metres, ground, house);

@@ -1,4 +1,5 @@
 #include "tools/trees/model_tree.h"
+#include "tests/tools/trees/flat_place.h"
 
 #include <gtest/gtest.h>
 
@@ -116,13 +117,6 @@ TEST(PlantAttributes, LengthsAreConvertedAndThoseOfNoPlantAreCounted) {
   EXPECT_EQ(plant.odd_sizes, odd);
   EXPECT_DOUBLE_EQ(plant.height_m.value(), 3.048);
 }
-
-// Degrees stand for metres; the ground lies at 5 m.
-const place::LonLatToFrame as_metres = [](const glm::dvec2& p) { return p; };
-const place::HeightAt ground = [](const glm::dvec2& p) {
-  return std::abs(p.x) <= 500 ? std::optional(5.0) : std::nullopt;
-};
-constexpr ground_cover::Box bounds{{-500, -500}, {500, 500}};
 
 ModelTree tree_at(double east, std::optional<double> foot_m) {
   ModelTree tree;
