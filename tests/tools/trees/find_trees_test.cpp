@@ -1,10 +1,11 @@
 #include "tools/trees/find_trees.h"
-#include "tests/tools/trees/flat_place.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
+
+#include "tests/tools/trees/flat_place.h"
 
 namespace nightcity::trees {
 namespace {

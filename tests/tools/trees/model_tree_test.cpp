@@ -1,11 +1,11 @@
 #include "tools/trees/model_tree.h"
-#include "tests/tools/trees/flat_place.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "tests/tools/trees/flat_place.h"
 #include "tools/city/plant_attributes.h"
 #include "tools/trees/find_trees.h"
 
