@@ -17,7 +17,7 @@ namespace {
 
 using test::TempFolder;
 
-town::TownCounts write_small_town(const fs::path& folder) {
+town::TownCounts write_planted_town(const fs::path& folder) {
   town::TownOptions options;
   options.columns = options.rows = 2;
   return town::write_town(options, folder);
@@ -50,7 +50,7 @@ Shown bake_town(const fs::path& folder, const std::string& more) {
 
 TEST(BakeModelTrees, TheWordOfTheRecipeDecidesWhatStands) {
   const TempFolder folder;
-  const std::size_t trees = write_small_town(folder.path()).trees;
+  const std::size_t trees = write_planted_town(folder.path()).trees;
   ASSERT_GT(trees, 10u);
   const Shown usual = bake_town(folder.path(), "");
   EXPECT_EQ(usual.trunks, trees);
@@ -71,7 +71,7 @@ TEST(BakeModelTrees, TheWordOfTheRecipeDecidesWhatStands) {
 
 TEST(BakeModelTrees, ModelsOfPartsHaveTheSameTrees) {
   const TempFolder folder;
-  write_small_town(folder.path());
+  write_planted_town(folder.path());
   expect_parts_as_whole(write_recipe(folder.path(), "[osm]\nfiles = ['town.osm']\n"),
                         folder / "out", {1, 3});
 }
@@ -79,7 +79,7 @@ TEST(BakeModelTrees, ModelsOfPartsHaveTheSameTrees) {
 // A tree of a file that is not there, which is a point and a few attributes, beside the town's.
 TEST(BakeModelTrees, ATreeWithoutSurfacesStandsOnTheGround) {
   const TempFolder folder;
-  const std::size_t trees = write_small_town(folder.path()).trees;
+  const std::size_t trees = write_planted_town(folder.path()).trees;
   const BakeReport before = bake(read_recipe(write_recipe(folder.path(), "")), folder / "out");
   std::ifstream in(folder / "town.gml");
   std::string text{std::istreambuf_iterator<char>(in), {}};
