@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -132,11 +131,12 @@ class DeckFinder {
     const Chain& chain = chains_[c];
     const auto steps =
         static_cast<std::size_t>(std::max(2.0, std::ceil(along.length_m() / step_m)));
+    const auto at = [&](std::size_t i) {
+      return along.length_m() * static_cast<double>(i) / static_cast<double>(steps);
+    };
     std::vector<std::optional<double>> ground;
     for (std::size_t i = 0; i <= steps; ++i)
-      ground.push_back(
-          find_ground(along, along.length_m() * static_cast<double>(i) / static_cast<double>(steps),
-                      chain.half_m));
+      ground.push_back(find_ground(along, at(i), chain.half_m));
     std::size_t first = 0, last = steps;
     while (first < last && !ground[first]) ++first;
     while (last > first && !ground[last]) --last;
@@ -144,9 +144,6 @@ class DeckFinder {
       states_[c] = State::on_ground;  // outside the model
       return true;
     }
-    const auto at = [&](std::size_t i) {
-      return along.length_m() * static_cast<double>(i) / static_cast<double>(steps);
-    };
     DeckCourse course;
     course.length_m = at(last) - at(first);
     course.ground_m.assign(ground.begin() + static_cast<std::ptrdiff_t>(first),
@@ -225,7 +222,8 @@ class DeckFinder {
   // Returns whether a track runs on the deck of a street, and notes it.
   bool lies_on_street(std::size_t c) {
     const Chain& chain = chains_[c];
-    for (std::size_t d = 0; d < decks_.decks().size(); ++d) {
+    const glm::dvec2& first = chain.line.front();
+    for (const std::uint32_t d : decks_.index_.find({first, first})) {
       const Deck& deck = decks_.decks()[d];
       const auto lies_on = [&](const glm::dvec2& place) {
         return deck.project(place).away_m < deck.half_m;
@@ -264,9 +262,7 @@ class DeckFinder {
     double at_m = -from_m;
     for (const Chain::Part& part : chain.parts) {
       const PlacedWay& way = bridges_[part.way];
-      double length_m = 0;
-      for (std::size_t i = 0; i + 1 < way.line.size(); ++i)
-        length_m += glm::distance(way.line[i], way.line[i + 1]);
+      const double length_m = ground_cover::MeasuredLine(way.line).length_m();
       decks_.lifted_.try_emplace(
           way.way->id,
           BridgeDecks::Lifted{decks_.decks().size(), part.reversed ? at_m + length_m : at_m,
@@ -296,9 +292,7 @@ class DeckFinder {
   bool leave(std::size_t c, const std::string& reason) {
     BridgeReport::Count& left = decks_.report_.on_ground[reason];
     ++left.bridges;
-    const auto& line = chains_[c].line;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-      left.length_m += glm::distance(line[i], line[i + 1]);
+    left.length_m += ground_cover::MeasuredLine(chains_[c].line).length_m();
     states_[c] = State::on_ground;
     return true;
   }

@@ -9,9 +9,9 @@
 
 #include "tools/layout/layout.h"
 #include "tools/layout/layout_design.h"
-#include "tools/layout/place_grid.h"
 #include "tools/layout/post_sites.h"
 #include "tools/lights/place_lamps.h"
+#include "tools/place/place_grid.h"
 #include "tools/streets/street_network.h"
 
 namespace nightcity::layout {
@@ -57,7 +57,7 @@ class LampAppender {
   const std::size_t first_;
   std::map<std::int64_t, lights::NightSchedule> hours_of_way_;
   std::map<std::string, std::uint32_t> profiles_;
-  PlaceGrid placed_{15};
+  place::PlaceGrid placed_{15};
   std::unordered_set<std::uint32_t> ids_;
   std::vector<std::size_t> street_of_lamp_;
 };

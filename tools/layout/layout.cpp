@@ -273,7 +273,7 @@ class Layouter {
   std::optional<PostSites> sites_;
   std::vector<StreetPlanned> plans_;
   std::map<std::tuple<std::string, long, Arrangement>, LampDesign> designs_;
-  PlaceGrid mapped_{30};
+  place::PlaceGrid mapped_{30};
   std::set<std::size_t> joints_done_;
   LayoutReport report_;
 };

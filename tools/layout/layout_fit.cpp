@@ -7,7 +7,7 @@
 #include <span>
 
 #include "formats/median.h"
-#include "tools/layout/place_grid.h"
+#include "tools/place/place_grid.h"
 
 namespace nightcity::layout {
 namespace {
@@ -215,7 +215,7 @@ class Fitter {
   const std::vector<std::size_t>& street_of_lamp_;
   std::vector<lights::Photometry> profiles_;
   std::vector<RoadLuminaire> luminaires_;
-  PlaceGrid grid_{30};
+  place::PlaceGrid grid_{30};
   double highest_m_ = 0;
   std::vector<Field> fields_;
   std::vector<double> flux_;  // by street

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "tools/layout/place_grid.h"
 #include "tools/lights/place_lamps.h"
+#include "tools/place/place_grid.h"
 #include "tools/streets/street_network.h"
 
 namespace nightcity::layout {
@@ -44,7 +44,7 @@ class PostSites {
   const streets::StreetNetwork& network_;
   const place::HeightAt& height_at_;
   const place::InsideBuilding& inside_;
-  PlaceGrid carriageways_{20};         // points of the centrelines, two metres apart
+  place::PlaceGrid carriageways_{20};  // points of the centrelines, two metres apart
   std::vector<double> half_widths_m_;  // by carriageway; the streets first
   double widest_half_m_ = 0;
 };

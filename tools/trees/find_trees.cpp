@@ -12,9 +12,9 @@
 #include "formats/finite.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
+#include "tools/place/place_grid.h"
 #include "tools/random.h"
 #include "tools/trees/leaf_habit.h"
-#include "tools/trees/neighbour_grid.h"
 
 namespace nightcity::trees {
 namespace {
@@ -75,6 +75,12 @@ Tree complete(const KnownSize& known, const glm::dvec2& place) {
   return tree;
 }
 
+bool has_nearer(const place::PlaceGrid& places, const glm::dvec2& place, double distance_m) {
+  return places.any_near(place, distance_m, [&](const glm::dvec2& other, std::uint32_t) {
+    return glm::distance(other, place) < distance_m;
+  });
+}
+
 class Planter {
  public:
   Planter(const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
@@ -95,7 +101,7 @@ class Planter {
     add(make_tree({tree.height_m, tree.crown_m, tree.trunk_m, tree.habit, tree.is_shrub},
                   tree.place),
         {tree.place, *foot}, "of the model");
-    of_model_.add(tree.place);
+    of_model_.add(tree.place, 0);
   }
 
   void add_mapped(const osm::OsmPoint& tree) {
@@ -158,11 +164,12 @@ class Planter {
       ++set_.left_out["tree beyond the first 200000"];
       return;
     }
-    if (of_model_.has_neighbour(place)) {
+    if (has_nearer(of_model_, place, same_tree_m)) {
       ++set_.left_out["tree of the map that the model has"];
       return;
     }
-    if (keeps_distance && all_.has_neighbour(place)) return;  // the map shows it already
+    if (keeps_distance && has_nearer(all_, place, min_distance_m))
+      return;  // the map shows it already
     const auto height = height_at_(place);
     if (!height) {
       ++set_.left_out["tree beyond the ground"];
@@ -179,7 +186,7 @@ class Planter {
     tree.foot = foot;
     set_.trees.push_back(tree);
     ++set_.sources[source];
-    all_.add(glm::dvec2(foot));
+    all_.add(glm::dvec2(foot), 0);
   }
 
   // The height of a model's tree: the ground's where the two agree or the model has none.
@@ -199,7 +206,7 @@ class Planter {
   const place::InsideBuilding& inside_;
   TreeSet set_;
   std::size_t tried_ = 0;
-  NeighbourGrid all_{min_distance_m}, of_model_{same_tree_m};
+  place::PlaceGrid all_{min_distance_m}, of_model_{same_tree_m};
 };
 
 }  // namespace

@@ -217,16 +217,17 @@ TEST(CityJson, MaterialsColourPolygonsAndTexturesAreCounted) {
   EXPECT_EQ(read.report.skipped.at("texture of a geometry"), 1u);
 }
 
+const std::string unit_triangle =
+    "\"geometry-templates\":{\"templates\":[{\"type\":\"MultiSurface\",\"lod\":\"2\","
+    "\"boundaries\":[[[0,1,2]]]}],\"vertices-templates\":[[0,0,0],[1,0,0],[0,1,0]]}";
+
 TEST(CityJson, TemplatesArePlacedByTheirMatrix) {
-  // A unit triangle, scaled by 2, turned by 90 degrees about the vertical and put onto vertex 6.
-  const std::string templates =
-      "\"geometry-templates\":{\"templates\":[{\"type\":\"MultiSurface\",\"lod\":\"2\","
-      "\"boundaries\":[[[0,1,2]]]}],\"vertices-templates\":[[0,0,0],[1,0,0],[0,1,0]]}";
+  // The unit triangle, scaled by 2, turned by 90 degrees about the vertical and put onto vertex 6.
   const std::string instance =
       "{\"type\":\"GeometryInstance\",\"template\":0,\"boundaries\":[6],"
       "\"transformationMatrix\":[0,-2,0,0, 2,0,0,0, 0,0,2,0.5, 0,0,0,1]}";
   const City read =
-      read_city(city_json(object("t", "SolitaryVegetationObject", instance), templates));
+      read_city(city_json(object("t", "SolitaryVegetationObject", instance), unit_triangle));
   ASSERT_EQ(read.objects.size(), 1u);
   ASSERT_EQ(read.objects[0].polygons.size(), 1u);
   EXPECT_EQ(read.objects[0].lod, 2);
@@ -236,9 +237,6 @@ TEST(CityJson, TemplatesArePlacedByTheirMatrix) {
 }
 
 TEST(CityJson, APlantHasItsSizesAndStandsAtItsPointOrTemplate) {
-  const std::string templates =
-      "\"geometry-templates\":{\"templates\":[{\"type\":\"MultiSurface\",\"lod\":\"2\","
-      "\"boundaries\":[[[0,1,2]]]}],\"vertices-templates\":[[0,0,0],[1,0,0],[0,1,0]]}";
   const std::string attributes =
       "\"attributes\":{\"height\":12.5,\"crownDiameter\":\"6\",\"trunkDiameter\":-1,"
       "\"species\":\"Acer\",\"class\":\"1070\"}";
@@ -250,7 +248,7 @@ TEST(CityJson, APlantHasItsSizesAndStandsAtItsPointOrTemplate) {
       read_city(city_json(object("t", "SolitaryVegetationObject", instance, attributes) + "," +
                               object("p", "SolitaryVegetationObject", point) + "," +
                               object("f", "CityFurniture", instance),
-                          templates));
+                          unit_triangle));
   ASSERT_EQ(read.objects.size(), 3u);
   const city::CityObject& tree = *read.find("t");
   ASSERT_TRUE(tree.plant);

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace nightcity::layout {
+namespace nightcity::place {
 
 class PlaceGrid {
  public:
@@ -51,4 +51,4 @@ class PlaceGrid {
   std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;
 };
 
-}  // namespace nightcity::layout
+}  // namespace nightcity::place
