@@ -62,6 +62,12 @@ struct MeshPlacement {
 /// Textures are left out, or each surface gets the mean colour of its own.
 enum class Textures : std::uint8_t { none, mean };
 
+/// A polygon beyond these is left out and counted.
+struct PolygonLimits {
+  int max_crossings = 16;      // of its outlines, for each of their points
+  int max_points = 2'000'000;  // of all its outlines
+};
+
 struct ReadOptions {
   /// Each object is taken at its highest LoD up to this one or, where it has none, at the lowest
   /// above.
@@ -79,9 +85,9 @@ struct ReadOptions {
   /// Bounds on what a small file may cost; the recipe's keys of the same names raise them.
   int max_member_mb = 256;              // of text in one member of a CityModel, or city object
   int max_linked_vertices = 8'000'000;  // that the links of a document lead to, and of a member's
-  int max_crossings = 16;               // of a polygon's outlines, for each of their points
-  int max_way_nodes = 20'000;           // of a building in a map, over all ways of its outline
-  bool map_colours = true;              // of a map's buildings: by their tags
+  PolygonLimits polygon{};
+  int max_way_nodes = 20'000;  // of a building in a map, over all ways of its outline
+  bool map_colours = true;     // of a map's buildings: by their tags
   /// Read this piece alone, of a file that FileReader::find_cuts allows to be cut.
   std::optional<TextPiece> piece{};
 

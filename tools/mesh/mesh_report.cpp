@@ -20,6 +20,7 @@ void MeshReport::merge(const MeshReport& other) {
   not_finite += other.not_finite;
   not_triangulated += other.not_triangulated;
   crossing_too_often += other.crossing_too_often;
+  too_many_points += other.too_many_points;
   holes_left_out += other.holes_left_out;
   holes_outside += other.holes_outside;
   if (other.worst_hole_outside_m2 > worst_hole_outside_m2) {

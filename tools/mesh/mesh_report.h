@@ -18,6 +18,7 @@ struct MeshReport {
   std::size_t not_finite = 0;          // left out: NaN, infinite or beyond any frame
   std::size_t not_triangulated = 0;    // left out: CGAL gave up
   std::size_t crossing_too_often = 0;  // of these: more crossings than [city] max_crossings
+  std::size_t too_many_points = 0;     // of these: more than [city] max_polygon_points
   std::size_t holes_left_out = 0;      // of fewer than three distinct vertices: they have no area
   std::size_t holes_outside = 0;       // reach beyond their exterior, and cut nothing out there
   std::string worst_hole_outside;      // the polygon whose holes do so most
@@ -46,9 +47,10 @@ struct MeshReport {
   template <class Archive>
   void visit(Archive& archive) {
     archive(polygons, triangles, fast_path, zero_area, slivers, non_planar, self_intersecting,
-            not_finite, not_triangulated, crossing_too_often, holes_left_out, holes_outside,
-            worst_hole_outside, worst_hole_outside_m2, turned, first_turned, cracks_closed,
-            floors_added, first_repaired, corners_left_out, triangles_thinned, open_objects);
+            not_finite, not_triangulated, crossing_too_often, too_many_points, holes_left_out,
+            holes_outside, worst_hole_outside, worst_hole_outside_m2, turned, first_turned,
+            cracks_closed, floors_added, first_repaired, corners_left_out, triangles_thinned,
+            open_objects);
     archive(worst_zero_area, worst_zero_area_m, worst_sliver, worst_sliver_m, worst_non_planar,
             worst_non_planar_m, worst_self_intersecting, worst_self_intersecting_m2);
   }

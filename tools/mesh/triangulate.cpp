@@ -60,7 +60,7 @@ glm::dvec3 find_widest_normal(const city::Ring& ring) {
 struct Triangulator {
   const city::CityObject& object;
   MeshReport& report;
-  int max_crossings;  // for each point of a polygon
+  const city::PolygonLimits& limits;
   TriangleMesh mesh;
 
   std::uint32_t add_positions(const city::Ring& ring) {
@@ -168,7 +168,7 @@ struct Triangulator {
     }
     FlatTriangulation flat;
     try {
-      flat = triangulate_flat(points, outlines, static_cast<std::size_t>(max_crossings));
+      flat = triangulate_flat(points, outlines, static_cast<std::size_t>(limits.max_crossings));
     } catch (const Error&) {
       ++report.not_triangulated;
       ++report.crossing_too_often;
@@ -214,9 +214,20 @@ struct Triangulator {
     return cleaned;
   }
 
+  bool is_too_long(const city::Polygon& polygon) const {
+    std::size_t points = polygon.exterior.size();
+    for (const city::Ring& interior : polygon.interiors) points += interior.size();
+    return points > static_cast<std::size_t>(limits.max_points);
+  }
+
   void add(std::size_t index) {
     const city::Polygon& polygon = object.polygons[index];
     ++report.polygons;
+    if (is_too_long(polygon)) {
+      ++report.not_triangulated;
+      ++report.too_many_points;
+      return;
+    }
     if (!is_usable(polygon.exterior) ||
         !std::all_of(polygon.interiors.begin(), polygon.interiors.end(), is_usable)) {
       ++report.not_finite;
@@ -255,8 +266,9 @@ struct Triangulator {
 
 }  // namespace
 
-TriangleMesh triangulate(const city::CityObject& object, MeshReport& report, int max_crossings) {
-  Triangulator triangulator{object, report, max_crossings, {}};
+TriangleMesh triangulate(const city::CityObject& object, MeshReport& report,
+                         const city::PolygonLimits& limits) {
+  Triangulator triangulator{object, report, limits, {}};
   for (std::size_t i = 0; i < object.polygons.size(); ++i) triangulator.add(i);
   return std::move(triangulator.mesh);
 }

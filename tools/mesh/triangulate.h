@@ -9,9 +9,9 @@ namespace nightcity::mesh {
 
 /// Triangulates every polygon of `object` (coordinates E, N, H in metres). What the exterior
 /// encloses (an odd number of times) and no hole does is triangulated. The area of each polygon is
-/// kept to 1e-6 relative. Bad rings are counted in `report` and never throw; so are those whose
-/// outlines cross more than `max_crossings` times for each of their points.
+/// kept to 1e-6 relative. Bad rings are counted in `report` and never throw; so are polygons beyond
+/// `limits`.
 TriangleMesh triangulate(const city::CityObject& object, MeshReport& report,
-                         int max_crossings = city::ReadOptions{}.max_crossings);
+                         const city::PolygonLimits& limits = {});
 
 }  // namespace nightcity::mesh

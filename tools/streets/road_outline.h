@@ -21,6 +21,6 @@ using OutlineEdge = std::pair<glm::dvec2, glm::dvec2>;
 /// Returns the edges of the union of the surfaces, each once, in no particular order. Throws Error
 /// where their rings cross more than `max_crossings` times as often as they have points.
 std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces,
-                                      int max_crossings = city::ReadOptions{}.max_crossings);
+                                      int max_crossings = city::PolygonLimits{}.max_crossings);
 
 }  // namespace nightcity::streets

@@ -23,6 +23,6 @@ struct StreetWays {
 /// used by the readers of the ways. Throws Error as road_outline does.
 StreetWays find_street_ways(const RoadSurfaces& roads,
                             const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat,
-                            int max_crossings = city::ReadOptions{}.max_crossings);
+                            int max_crossings = city::PolygonLimits{}.max_crossings);
 
 }  // namespace nightcity::streets

@@ -146,6 +146,24 @@ TEST(Bake, ACityThatIsTooFarAcrossIsRefusedByThatName) {
   }
 }
 
+TEST(Bake, ACityOfPolygonsBeyondALimitIsRefusedByTheNameOfTheLimit) {
+  const TempFolder folder;
+  write_text(folder / "roof.gml", roof_city("EPSG:25833", {{391000, 5819000, 40},
+                                                           {391010, 5819000, 40},
+                                                           {391010, 5819010, 40},
+                                                           {391000, 5819010, 40}}));
+  Recipe recipe = make_recipe({folder / "roof.gml"});
+  recipe.city.read.polygon.max_points = 3;
+  try {
+    bake(recipe, folder / "out");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("1 all of polygons beyond [city] max_polygon_points"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Bake, GeometriesOfOneFileArePlacedEachByItsOwnCrs) {
   const TempFolder folder;
   const std::vector<glm::dvec3> here{

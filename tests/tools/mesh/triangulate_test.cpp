@@ -357,8 +357,22 @@ TEST(Triangulate, TheLimitOfCrossingsCanBeLoweredAndRaised) {
   object.polygons.push_back(polygon(ring));
   for (const int max_crossings : {1, 100}) {
     MeshReport report;
-    EXPECT_EQ(triangulate(object, report, max_crossings).triangles.empty(), max_crossings == 1);
+    EXPECT_EQ(triangulate(object, report, {.max_crossings = max_crossings}).triangles.empty(),
+              max_crossings == 1);
     EXPECT_EQ(report.crossing_too_often, max_crossings == 1 ? 1u : 0u);
+  }
+}
+
+TEST(Triangulate, TheLimitOfPointsCountsThoseOfHoles) {
+  city::CityObject object;
+  object.polygons.push_back(polygon({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}}));
+  object.polygons[0].interiors.push_back({{1, 1, 0}, {1, 2, 0}, {2, 1, 0}});
+  for (const int max_points : {6, 7}) {
+    MeshReport report;
+    EXPECT_EQ(triangulate(object, report, {.max_points = max_points}).triangles.empty(),
+              max_points == 6);
+    EXPECT_EQ(report.too_many_points, max_points == 6 ? 1u : 0u);
+    EXPECT_EQ(report.not_triangulated, report.too_many_points);
   }
 }
 

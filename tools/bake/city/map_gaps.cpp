@@ -40,8 +40,8 @@ const char* find_reason(Fit fit) {
 class GapFinder {
  public:
   GapFinder(const georeference::CityFrame& frame, const terrain::Terrain& terrain,
-            int max_crossings)
-      : frame_(frame), terrain_(terrain), max_crossings_(max_crossings) {}
+            const city::PolygonLimits& limits)
+      : frame_(frame), terrain_(terrain), limits_(limits) {}
 
   // Places the object in the city and says whether it fills a gap.
   Fit place(city::CityObject&& object, PreparedObject& out) const {
@@ -52,7 +52,7 @@ class GapFinder {
     mesh::MeshReport report;
     mesh::repair_shells(object, report);
     mesh::classify_unknown_surfaces(object);
-    out.mesh = mesh::triangulate(object, report, max_crossings_);
+    out.mesh = mesh::triangulate(object, report, limits_);
     out.closed = report.open_objects == 0;
     out.object = std::move(object);
     const auto overlap = find_overlap(out.mesh);
@@ -108,7 +108,7 @@ class GapFinder {
 
   const georeference::CityFrame& frame_;
   const terrain::Terrain& terrain_;
-  int max_crossings_;
+  city::PolygonLimits limits_;
 };
 
 struct Batch {
@@ -122,7 +122,7 @@ struct Batch {
 void fill_gaps(const std::filesystem::path& map, const city::ReadOptions& options,
                const georeference::CityFrame& frame, const terrain::Terrain& terrain,
                std::span<CityConsumer* const> consumers, CityConsumer& ground, GapReport& report) {
-  const GapFinder finder(frame, terrain, options.max_crossings);
+  const GapFinder finder(frame, terrain, options.polygon);
   // The terrain is asked on many threads until the map ends, and must not change meanwhile.
   std::vector<CityConsumer::Turn> ground_turns;
   const auto stage = [&](std::vector<city::CityObject>&& objects) -> std::function<void()> {

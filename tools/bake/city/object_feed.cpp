@@ -17,6 +17,8 @@ const char* find_reason(Unusable unusable) {
       return "far from the city";
     case Unusable::without_area:
       return "without area";
+    case Unusable::beyond_limits:
+      return "all of polygons beyond [city] max_polygon_points or max_crossings";
     case Unusable::without_ground:
       return "where no elevation model has a height";
   }

@@ -94,6 +94,13 @@ void thin(mesh::TriangleMesh& ground, double max_error_m, mesh::MeshReport& repo
   report.triangles_thinned += before - ground.triangles.size();
 }
 
+// Returns why an object has no triangles.
+Unusable find_cause(const mesh::MeshReport& report) {
+  return report.too_many_points + report.crossing_too_often == report.polygons
+             ? Unusable::beyond_limits
+             : Unusable::without_area;
+}
+
 }  // namespace
 
 void for_each_named(const city::CityObject& object,
@@ -110,7 +117,7 @@ ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& fram
   return {frames,
           heights,
           inputs.files.size() > 1,
-          inputs.read.max_crossings,
+          inputs.read.polygon,
           inputs.simplify_m,
           inputs.ground.max_error_m};
 }
@@ -145,10 +152,10 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
     // Shells first: which way is out decides what is a roof and which side of a wall has windows.
     mesh::repair_shells(object, result.report);
     mesh::classify_unknown_surfaces(object);
-    prepared->mesh = mesh::triangulate(object, result.report, settings.max_crossings);
+    prepared->mesh = mesh::triangulate(object, result.report, settings.polygon);
     if (object.type == city::ObjectType::relief && settings.max_error_m > 0 && !is_coloured(object))
       thin(prepared->mesh, settings.max_error_m, result.report);
-    if (prepared->mesh.triangles.empty()) result.unusable = Unusable::without_area;
+    if (prepared->mesh.triangles.empty()) result.unusable = find_cause(result.report);
   }
   prepared->tree = trees::find_model_tree(object, &prepared->no_tree);
   prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;

@@ -20,7 +20,14 @@ namespace nightcity::bake {
 constexpr double max_distance_m = 100'000;
 
 /// Why an object has no part in the city, whatever else is there.
-enum class Unusable : std::uint8_t { no, without_geometry, far_away, without_area, without_ground };
+enum class Unusable : std::uint8_t {
+  no,
+  without_geometry,
+  far_away,
+  without_area,
+  beyond_limits,
+  without_ground
+};
 
 struct ReadyObject {
   std::shared_ptr<PreparedObject> prepared;
@@ -41,7 +48,7 @@ struct ReadySettings {
   /// outlines, as OpenStreetMap counts the height of a building; one without any is left out.
   const GroundHeights* heights = nullptr;
   bool has_identities = false;  // neighbouring files may share objects
-  int max_crossings = 0;
+  city::PolygonLimits polygon{};
   double simplify_m = 0;   // of buildings: CityInputs
   double max_error_m = 0;  // of relief: GroundOptions
 };

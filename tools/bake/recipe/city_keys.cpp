@@ -131,10 +131,13 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        integer_key("max_linked_vertices", city.read.max_linked_vertices, 1, 1'000'000'000,
                    "A limit: links between the objects of a file are followed until they have led "
                    "to this many vertices. What lies beyond is skipped and counted."),
-       integer_key("max_crossings", city.read.max_crossings, 1, 1'000'000,
+       integer_key("max_crossings", city.read.polygon.max_crossings, 1, 1'000'000,
                    "A limit: a polygon whose outlines cross more often, for each of their points, "
                    "is left out and counted. Where streets come from the model's roads, more "
                    "crossings of all roads together end the bake."),
+       integer_key("max_polygon_points", city.read.polygon.max_points, 3, 1'000'000'000,
+                   "A limit: a polygon of more points, those of its holes included, is left out "
+                   "and counted. Triangulating one takes some 400 bytes a point."),
        choice_key<city::Textures>(
            "textures", city.read.textures,
            {{"none", city::Textures::none}, {"mean", city::Textures::mean}},

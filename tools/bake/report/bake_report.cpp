@@ -110,6 +110,10 @@ std::string mesh_in_words(const mesh::MeshReport& mesh) {
     line(fmt::format(
         "{} of those not triangulated: outlines that cross more than [city] max_crossings allows",
         mesh.crossing_too_often));
+  if (mesh.too_many_points)
+    line(fmt::format(
+        "{} of those not triangulated: more points than [city] max_polygon_points allows",
+        mesh.too_many_points));
   return text;
 }
 
