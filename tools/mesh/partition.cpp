@@ -118,6 +118,7 @@ class Arrangement {
     return out;
   }
 
+  void debug(std::size_t edges) const { std::fprintf(stderr, "RATIO %zu %zu %.3f\n", edges, std::size_t(triangulation_.number_of_vertices()), double(triangulation_.number_of_vertices()) / double(edges)); }
   bool is_flat() const { return triangulation_.dimension() < 2; }
 
  private:
@@ -195,6 +196,7 @@ PlanePartition partition(std::span<const PlaneLayer> layers, std::size_t max_cro
   const std::size_t max_vertices = (1 + max_crossings_a_point) * edges.size() + 3;
   Arrangement all(edges, max_vertices);
   if (all.is_flat()) return {};
+  all.debug(edges.size());
   all.find_owners(finders);
   Arrangement regions(all.find_borders(), max_vertices);
   if (regions.is_flat()) return {};
