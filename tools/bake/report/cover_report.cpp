@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/bake/report/report_text.h"
+#include "tools/bake/scene/cover_ground.h"
 
 namespace nightcity::bake {
 
@@ -108,7 +109,8 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
     text += report_line("", "left out, in m: " + amounts_in_words(report.left_out_m));
   if (tiles.uncovered_tiles > 0)
     text += report_line(
-        "", fmt::format("{} tiles bare: their outlines cross too often", tiles.uncovered_tiles));
+        "", fmt::format("{} tiles bare: their outlines cross more than {} times a point",
+                        tiles.uncovered_tiles, max_outline_crossings));
   return text;
 }
 

@@ -124,7 +124,7 @@ class Coverer {
   void cover_cut(const std::vector<Stored>& cut) {
     const std::vector<mesh::PlaneLayer> layers{part_.areas, part_.markings, find_facets(cut),
                                                part_.ramps};
-    const mesh::PlanePartition plan = mesh::partition(layers);
+    const mesh::PlanePartition plan = mesh::partition(layers, max_outline_crossings);
     const GroundHeights heights(cut);
     heights_.assign(plan.points.size(), std::nan(""));
     lowering_m_.assign(plan.points.size(), std::nan(""));
