@@ -23,7 +23,7 @@ using std::numbers::pi;
 // Assumptions: guidelines (RASt 06) round corners by the paths of the largest vehicles that turn.
 constexpr double main_radius_m = 6, local_radius_m = 4;
 constexpr double min_radius_m = 0.5, min_angle = pi / 4, max_angle = 5 * pi / 6;
-constexpr int pieces_of_arc = 4;
+constexpr double hand_m = 0.3;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
   return a.x * b.y - a.y * b.x;
@@ -132,10 +132,11 @@ std::optional<Ring> make_corner(const glm::dvec2& junction, const CornerArm& fir
   const double r = std::min(radius_m, room_m * tangent);
   if (!(r >= min_radius_m)) return std::nullopt;
   const glm::dvec2 middle = find_place(first.half_m + r, second.half_m + r);
-  Ring ring{junction};
+  Ring ring{junction + edges_meet * (1 - hand_m / std::max(glm::length(edges_meet), hand_m))};
+  const int pieces = std::clamp(static_cast<int>(std::ceil(r)), 2, 4);
   const double from = std::atan2(-left.y, -left.x), sweep = pi - angle;
-  for (int k = 0; k <= pieces_of_arc; ++k) {
-    const double at = from - sweep * k / pieces_of_arc;
+  for (int k = 0; k <= pieces; ++k) {
+    const double at = from - sweep * k / pieces;
     ring.push_back(junction + middle + r * glm::dvec2(std::cos(at), std::sin(at)));
   }
   return ring;

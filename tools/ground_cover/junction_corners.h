@@ -21,8 +21,8 @@ struct CornerArm {
   double half_m;  // from its middle to the edge that is rounded
 };
 
-/// Returns the area between two arms from the middle of their junction to the arc of `radius_m`
-/// that touches the edges of both. `second` is the next counter-clockwise from `first`. The arc is
+/// Returns the area between the edges of two arms and the arc of `radius_m` that touches both. It
+/// begins a hand within the corner, so that outlines cross instead of running along each other. `second` is the next counter-clockwise from `first`. The arc is
 /// smaller where an arm is short. None where less than half a metre is left, or the arms meet at
 /// less than 45 degrees (an island lies between them) or more than 150 (there is no corner).
 std::optional<Ring> make_corner(const glm::dvec2& junction, const CornerArm& first,
