@@ -15,6 +15,7 @@ constexpr std::uint32_t glb_magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_b
 constexpr const char* draco = "KHR_draco_mesh_compression";
 constexpr const char* emissive_strength = "KHR_materials_emissive_strength";
 constexpr const char* gpu_instancing = "EXT_mesh_gpu_instancing";
+constexpr const char* instance_features = "EXT_instance_features";
 constexpr const char* lights_punctual = "KHR_lights_punctual";
 constexpr const char* mesh_features = "EXT_mesh_features";
 constexpr const char* structural_metadata = "EXT_structural_metadata";
@@ -22,6 +23,7 @@ constexpr const char* structural_metadata = "EXT_structural_metadata";
 constexpr const char* specular_glossiness = "KHR_materials_pbrSpecularGlossiness";
 
 constexpr const char* colour_attribute = "COLOR_0";
+// Of vertices and instances.
 constexpr const char* feature_attribute = "_FEATURE_ID_0";
 // This attribute of vertices and instances is an index into city.lights.
 constexpr const char* light_attribute = "_LIGHT";

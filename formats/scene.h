@@ -51,6 +51,8 @@ struct SceneInstance {
   // The part of the translation that its floats in `to_model` cannot hold: far from the origin
   // these are up to a metre apart.
   glm::vec3 translation_rest{0};
+  // The object that this instance is (EXT_instance_features): it goes before those of vertices.
+  std::uint32_t feature = no_id;
 };
 
 /// Returns an instance's matrix to model space with the translation in double.

@@ -9,7 +9,6 @@
 #include "formats/error.h"
 #include "formats/gltf_constants.h"
 #include "formats/gltf_numbers.h"
-#include "formats/scene_primitive_reader.h"
 #include "formats/trs.h"
 
 namespace nightcity {
@@ -32,12 +31,12 @@ glm::dmat4 local_matrix(const Json& node) {
   return compose(trs);
 }
 
-SceneInstance place(const glm::dmat4& matrix, std::uint32_t light) {
+SceneInstance place(const glm::dmat4& matrix, std::uint32_t light, std::uint32_t feature) {
   const glm::mat4 rounded(matrix);
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
       if (!std::isfinite(rounded[c][r])) throw Error("", "transform", "is not finite");
-  return {rounded, light, glm::vec3(glm::dvec3(matrix[3]) - glm::dvec3(rounded[3]))};
+  return {rounded, light, glm::vec3(glm::dvec3(matrix[3]) - glm::dvec3(rounded[3])), feature};
 }
 
 std::vector<std::size_t> node_indices(const Json& object, const char* key) {
@@ -120,7 +119,7 @@ std::optional<SceneNode> NodeReader::read_node(const Json& node, const glm::dmat
 std::vector<SceneInstance> NodeReader::read_instances(const Json& node,
                                                       const glm::dmat4& to_model) const {
   const Json& attributes = member(extension(node, gltf::gpu_instancing), "attributes");
-  if (!attributes.is_object()) return {place(to_model, no_id)};
+  if (!attributes.is_object()) return {place(to_model, no_id, no_id)};
   const auto read = [&](const char* name, int components) {
     const auto accessor = gltf::index(attributes, name);
     return accessor ? accessors_.floats(*accessor, components) : std::vector<float>();
@@ -128,13 +127,15 @@ std::vector<SceneInstance> NodeReader::read_instances(const Json& node,
   const auto translations = read("TRANSLATION", 3), rotations = read("ROTATION", 4),
              scales = read("SCALE", 3);
   const auto lights = to_light_ids(read(gltf::light_attribute, 1));
-  const std::size_t count =
-      std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3, lights.size()});
+  const auto features =
+      to_feature_ids(node, gltf::instance_features, read(gltf::feature_attribute, 1), tables_);
+  const std::size_t count = std::max({translations.size() / 3, rotations.size() / 4,
+                                      scales.size() / 3, lights.size(), features.size()});
   const auto fits = [count](std::size_t values, std::size_t width) {
     return values == 0 || values == count * width;
   };
   if (!fits(translations.size(), 3) || !fits(rotations.size(), 4) || !fits(scales.size(), 3) ||
-      !fits(lights.size(), 1))
+      !fits(lights.size(), 1) || !fits(features.size(), 1))
     throw Error("", gltf::gpu_instancing, "attributes differ in length");
   std::vector<SceneInstance> instances;
   instances.reserve(count);
@@ -146,7 +147,8 @@ std::vector<SceneInstance> NodeReader::read_instances(const Json& node,
       trs.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
     }
     if (!scales.empty()) trs.scale = glm::make_vec3(&scales[3 * i]);
-    instances.push_back(place(to_model * compose(trs), lights.empty() ? no_id : lights[i]));
+    instances.push_back(place(to_model * compose(trs), lights.empty() ? no_id : lights[i],
+                              features.empty() ? no_id : features[i]));
   }
   return instances;
 }

@@ -10,6 +10,7 @@
 #include "formats/gltf_accessor.h"
 #include "formats/gltf_document.h"
 #include "formats/scene.h"
+#include "formats/scene_primitive_reader.h"
 
 namespace nightcity {
 
@@ -20,8 +21,10 @@ inline std::string numbered(const char* what, std::size_t number) {
 
 class NodeReader {
  public:
-  NodeReader(const gltf::Document& document, const gltf::AccessorReader& accessors)
-      : document_(document), accessors_(accessors) {}
+  /// `tables` are the file's property tables.
+  NodeReader(const gltf::Document& document, const gltf::AccessorReader& accessors,
+             const std::vector<FeatureRange>& tables)
+      : document_(document), accessors_(accessors), tables_(tables) {}
 
   /// Returns the nodes with a mesh below the default scene, with their matrices to model space.
   /// Throws Error, without a file name, if a mesh is not there, a node is reached twice or a matrix
@@ -36,6 +39,7 @@ class NodeReader {
 
   const gltf::Document& document_;
   const gltf::AccessorReader& accessors_;
+  const std::vector<FeatureRange>& tables_;
 };
 
 }  // namespace nightcity

@@ -45,30 +45,14 @@ struct FeatureIds {
 };
 
 // Feature ids have a meaning only through a property table of ours; without one there are none.
-std::optional<FeatureIds> find_feature_ids(const Json& source,
+std::optional<FeatureIds> find_feature_ids(const Json& source, const char* name,
                                            const std::vector<FeatureRange>& tables) {
-  const Json& sets = member(extension(source, gltf::mesh_features), "featureIds");
+  const Json& sets = member(extension(source, name), "featureIds");
   if (!sets.is_array() || sets.empty()) return {};
   const auto table = gltf::index(sets.at(0), "propertyTable"),
              none = gltf::index(sets.at(0), "nullFeatureId");
   if (!table || *table >= tables.size() || tables[*table].count == 0) return {};
   return FeatureIds{tables[*table], none};
-}
-
-std::vector<std::uint32_t> to_feature_ids(const Json& source, const std::vector<float>& values,
-                                          const std::vector<FeatureRange>& tables) {
-  if (values.empty()) return {};
-  const auto features = find_feature_ids(source, tables);
-  if (!features) return {};
-  const auto [first, count] = features->table;
-  std::vector<std::uint32_t> ids(values.size(), no_id);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (features->none && values[i] == static_cast<float>(*features->none)) continue;
-    if (!(values[i] >= 0 && values[i] < static_cast<float>(count)))
-      throw Error("", gltf::feature_attribute, "id lies outside its property table");
-    ids[i] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(values[i]));
-  }
-  return ids;
 }
 
 // Returns colours without their alpha, clamped to [0, 1] as glTF 2.0, section 3.7.2.1, asks for.
@@ -84,6 +68,23 @@ std::vector<glm::vec3> to_colours(const std::vector<float>& values, std::size_t 
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> to_feature_ids(const Json& source, const char* extension,
+                                          const std::vector<float>& values,
+                                          const std::vector<FeatureRange>& tables) {
+  if (values.empty()) return {};
+  const auto features = find_feature_ids(source, extension, tables);
+  if (!features) return {};
+  const auto [first, count] = features->table;
+  std::vector<std::uint32_t> ids(values.size(), no_id);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (features->none && values[i] == static_cast<float>(*features->none)) continue;
+    if (!(values[i] >= 0 && values[i] < static_cast<float>(count)))
+      throw Error("", gltf::feature_attribute, "id lies outside its property table");
+    ids[i] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(values[i]));
+  }
+  return ids;
+}
 
 std::vector<std::uint32_t> to_light_ids(const std::vector<float>& values) {
   std::vector<std::uint32_t> ids(values.size(), no_id);
@@ -107,7 +108,7 @@ std::optional<ScenePrimitive> PrimitiveReader::read(const Json& source,
   ScenePrimitive primitive;
   const VertexIds ids = read_geometry(source, primitive);
   primitive.indices = to_triangle_list(mode, std::move(primitive.indices));
-  primitive.feature_ids = to_feature_ids(source, ids.features, tables);
+  primitive.feature_ids = to_feature_ids(source, gltf::mesh_features, ids.features, tables);
   primitive.light_ids = to_light_ids(ids.lights);
   colours = to_colours(ids.colours, ids.colour_components);
   return primitive;
@@ -139,7 +140,7 @@ std::optional<MappedPrimitive> PrimitiveReader::find(
   const auto is_id = [&](const Place& place) {
     return place.component_type == gltf::float32 && place.count == found.vertices;
   };
-  if (const auto features = find_feature_ids(source, tables)) {
+  if (const auto features = find_feature_ids(source, gltf::mesh_features, tables)) {
     found.features = take(attributes, gltf::feature_attribute, 1, is_id);
     found.first_feature = static_cast<std::uint32_t>(features->table.first);
     found.feature_count = static_cast<std::uint32_t>(features->table.count);

@@ -22,6 +22,13 @@ struct FeatureRange {
 /// Error if a value is too large for an id.
 std::vector<std::uint32_t> to_light_ids(const std::vector<float>& values);
 
+/// Returns the features that ids stored as floats stand for (attribute _FEATURE_ID_0), by what
+/// `extension` of `source` (EXT_mesh_features, EXT_instance_features) says of them; nothing where
+/// no property table says what they mean. Throws Error if an id lies outside its table.
+std::vector<std::uint32_t> to_feature_ids(const gltf::Json& source, const char* extension,
+                                          const std::vector<float>& values,
+                                          const std::vector<FeatureRange>& tables);
+
 class PrimitiveReader {
  public:
   explicit PrimitiveReader(const gltf::AccessorReader& accessors) : accessors_(accessors) {}

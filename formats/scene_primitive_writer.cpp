@@ -44,6 +44,21 @@ std::vector<float> to_float_ids(const std::vector<std::uint32_t>& ids, float non
   return result;
 }
 
+json describe_feature_ids(std::span<const float> feature_ids) {
+  std::vector<float> unique;
+  // The vertices of a feature mostly follow each other: dropping repetitions first leaves little to
+  // sort.
+  std::unique_copy(feature_ids.begin(), feature_ids.end(), std::back_inserter(unique));
+  std::sort(unique.begin(), unique.end());
+  unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
+  const bool has_null = std::binary_search(unique.begin(), unique.end(), gltf::null_feature_id);
+  const std::size_t count = unique.size() - (has_null ? 1 : 0);
+  if (count == 0) return {};
+  json ids = {{"attribute", 0}, {"propertyTable", 0}, {"featureCount", count}};
+  if (has_null) ids["nullFeatureId"] = static_cast<std::uint32_t>(gltf::null_feature_id);
+  return json::array({ids});
+}
+
 PrimitiveWriter::PrimitiveWriter(std::filesystem::path file, gltf::Stream& stream,
                                  SceneStatistics& statistics,
                                  std::optional<double> draco_tolerance_m)
@@ -62,8 +77,10 @@ json PrimitiveWriter::write(const ScenePrimitive& primitive, const Limits& limit
     encoded = encode_draco(primitive, feature_ids, light_ids, *draco_tolerance_m_);
   json result = encoded ? write_draco(*encoded) : write_plain(primitive, feature_ids, light_ids);
   result["material"] = primitive.material;
-  if (const json features = describe_features(feature_ids); !features.is_null())
-    result["extensions"][gltf::mesh_features] = features;
+  if (const json features = describe_feature_ids(feature_ids); !features.is_null()) {
+    result["extensions"][gltf::mesh_features] = {{"featureIds", features}};
+    stream_.extensions_used.insert(gltf::mesh_features);
+  }
   statistics_.vertices += primitive.positions.size();
   statistics_.triangles += primitive.indices.size() / 3;
   return result;
@@ -154,24 +171,6 @@ json PrimitiveWriter::write_draco(const DracoEncoded& encoded) {
   return {{"attributes", attributes},
           {"indices", indices},
           {"extensions", {{gltf::draco, {{"bufferView", view}, {"attributes", draco_ids}}}}}};
-}
-
-// Returns the extension EXT_mesh_features of a primitive, null if none of its vertices has a
-// feature: the extension's featureCount must be above 0.
-json PrimitiveWriter::describe_features(std::span<const float> feature_ids) {
-  std::vector<float> unique;
-  // The vertices of a feature mostly follow each other: dropping repetitions first leaves little to
-  // sort.
-  std::unique_copy(feature_ids.begin(), feature_ids.end(), std::back_inserter(unique));
-  std::sort(unique.begin(), unique.end());
-  unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
-  const bool has_null = std::binary_search(unique.begin(), unique.end(), gltf::null_feature_id);
-  const std::size_t count = unique.size() - (has_null ? 1 : 0);
-  if (count == 0) return {};
-  json ids = {{"attribute", 0}, {"propertyTable", 0}, {"featureCount", count}};
-  if (has_null) ids["nullFeatureId"] = static_cast<std::uint32_t>(gltf::null_feature_id);
-  stream_.extensions_used.insert(gltf::mesh_features);
-  return {{"featureIds", {ids}}};
 }
 
 }  // namespace nightcity

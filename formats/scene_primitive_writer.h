@@ -20,6 +20,10 @@ namespace nightcity {
 /// with `none` in place of no_id.
 std::vector<float> to_float_ids(const std::vector<std::uint32_t>& ids, float none);
 
+/// Returns the array `featureIds` of EXT_mesh_features and EXT_instance_features, null where no id
+/// is one of a feature: their featureCount must be above 0.
+nlohmann::json describe_feature_ids(std::span<const float> feature_ids);
+
 class PrimitiveWriter {
  public:
   /// Refers to `stream` and `statistics`. `file` is for messages. Without a tolerance nothing is
@@ -42,7 +46,6 @@ class PrimitiveWriter {
                              std::span<const float> light_ids);
   std::size_t write_indices(const std::vector<std::uint32_t>& indices, std::size_t vertex_count);
   nlohmann::json write_draco(const DracoEncoded& encoded);
-  nlohmann::json describe_features(std::span<const float> feature_ids);
 
   std::filesystem::path file_;
   gltf::Stream& stream_;

@@ -49,7 +49,7 @@ class Reader {
     }
     read_features();
     read_materials();
-    scene_.nodes = NodeReader(document_, accessors_).read();
+    scene_.nodes = NodeReader(document_, accessors_, tables_).read();
   }
 
   const Scene& scene() const { return scene_; }

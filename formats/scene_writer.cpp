@@ -167,7 +167,8 @@ void SceneWriter::add_node(const SceneNode& node) {
   if (!node.name.empty()) result["name"] = node.name;
   if (const json extras = make_extras(node); !extras.is_null())
     result["extras"] = {{gltf::extras_key, extras}};
-  if (placements.size() == 1 && node.instances[0].light == no_id) {
+  if (placements.size() == 1 && node.instances[0].light == no_id &&
+      node.instances[0].feature == no_id) {
     const auto& [translation, rotation, scale] = placements[0];
     if (translation != glm::dvec3(0)) result["translation"] = gltf::to_json(translation);
     if (glm::dvec3(rotation.x, rotation.y, rotation.z) != glm::dvec3(0))
@@ -200,7 +201,7 @@ json SceneWriter::State::write_instances(const SceneNode& node,
                                          const std::vector<Trs>& placements) {
   std::vector<glm::vec3> translations, scales;
   std::vector<glm::vec4> rotations;
-  std::vector<std::uint32_t> lights;
+  std::vector<std::uint32_t> lights, features;
   bool is_rotated = false, is_scaled = false, is_lit = false;
   for (std::size_t i = 0; i < placements.size(); ++i) {
     const Trs& trs = placements[i];
@@ -208,6 +209,9 @@ json SceneWriter::State::write_instances(const SceneNode& node,
     rotations.emplace_back(trs.rotation.x, trs.rotation.y, trs.rotation.z, trs.rotation.w);
     scales.emplace_back(trs.scale);
     lights.push_back(node.instances[i].light);
+    features.push_back(node.instances[i].feature);
+    if (features.back() != no_id && features.back() >= this->features.size())
+      fail("node " + node.name, "feature " + std::to_string(features.back()) + " is not there");
     is_rotated |= rotations.back() != glm::vec4(0, 0, 0, 1);
     is_scaled |= scales.back() != glm::vec3(1);
     is_lit |= lights.back() != no_id;
@@ -226,8 +230,16 @@ json SceneWriter::State::write_instances(const SceneNode& node,
     const auto ids = to_float_ids(lights, gltf::null_light);
     add(gltf::light_attribute, "SCALAR", stream.write_view(std::span<const float>(ids)));
   }
+  json extensions;
+  const auto feature_ids = to_float_ids(features, gltf::null_feature_id);
+  if (const json ids = describe_feature_ids(feature_ids); !ids.is_null()) {
+    add(gltf::feature_attribute, "SCALAR", stream.write_view(std::span<const float>(feature_ids)));
+    extensions[gltf::instance_features] = {{"featureIds", ids}};
+    stream.extensions_used.insert(gltf::instance_features);
+  }
   stream.extensions_used.insert(gltf::gpu_instancing);
-  return {{gltf::gpu_instancing, {{"attributes", attributes}}}};
+  extensions[gltf::gpu_instancing] = {{"attributes", attributes}};
+  return extensions;
 }
 
 void SceneWriter::add_punctual(const ScenePunctual& light) {

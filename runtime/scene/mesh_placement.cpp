@@ -59,7 +59,7 @@ void MeshPlacement::find_merged() {
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
     const SceneNode& node = scene_.nodes[i];
     merged_.push_back(node.instances.size() == 1 && node.instances[0].light == no_id &&
-                      !is_horizon(node));
+                      node.instances[0].feature == no_id && !is_horizon(node));
     if (merged_[i] && !skipped_[i]) placed_once += meshes_.triangles.at(node.mesh);
   }
   // In a small scene copies would be most of the triangles.
@@ -90,7 +90,8 @@ std::vector<Placement> MeshPlacement::find_placements(std::size_t node) {
     if (!may_be_flat && !keeps_volume(to_scene_from_unit))
       ++dropped_;
     else
-      placements.push_back({merged_[node] ? to_scene : to_scene_from_unit, light});
+      placements.push_back(
+          {merged_[node] ? to_scene : to_scene_from_unit, light, instance.feature});
   }
   return placements;
 }

@@ -45,7 +45,8 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
     }
     t.material = primitive.triangle_materials.empty() ? primitive.material
                                                       : primitive.triangle_materials[i / 3];
-    t.feature = primitive.feature_ids.empty() ? NO_HIT : primitive.feature_ids[a];
+    t.feature = placement.feature;
+    if (t.feature == NO_HIT && !primitive.feature_ids.empty()) t.feature = primitive.feature_ids[a];
     t.light = placement.light;
     if (t.light == NO_HIT && !primitive.light_ids.empty())
       t.light = find_light(primitive.light_ids[a], light_numbers);
@@ -76,7 +77,7 @@ Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
   result.mapped.resize(mesh->primitives.size());
   result.stored.resize(mesh->primitives.size());
   const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1 &&
-                             placed.placements[0].light == NO_HIT;
+                             placed.placements[0].names_nothing();
   std::vector<glm::vec3> positions;
   for (std::size_t i = 0; i < mesh->primitives.size(); ++i) {
     const ScenePrimitive& primitive = mesh->primitives[i];

@@ -45,11 +45,12 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
 std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers, TriangleList& out);
 
-/// A place of a mesh, and the light whose luminous surface the mesh is there; NO_HIT: its
-/// triangles' own lights hold.
+/// A place of a mesh, the light whose luminous surface the mesh is there, and the object that it
+/// is; NO_HIT: its triangles' own hold.
 struct Placement {
   glm::dmat4 to_scene;
-  std::uint32_t light = NO_HIT;
+  std::uint32_t light = NO_HIT, feature = NO_HIT;
+  bool names_nothing() const { return light == NO_HIT && feature == NO_HIT; }
 };
 
 /// A mesh whose triangles are stored for each of its placements, of which there is at least one.

@@ -41,15 +41,15 @@ std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& 
 }
 
 gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, bool casts_shadow,
-                            std::uint32_t light) {
+                            const Placement& at) {
   gpu::Instance instance{};
   for (int row = 0; row < 3; ++row)
     instance.to_object[row] = glm::vec4(
         glm::dvec4(to_object[0][row], to_object[1][row], to_object[2][row], to_object[3][row]));
   instance.root = root;
   instance.mask = MASK_VISIBLE | (casts_shadow ? MASK_SHADOW : 0u);
-  instance.light = light;
-  instance.feature = NO_HIT;
+  instance.light = at.light;
+  instance.feature = at.feature;
   return instance;
 }
 
@@ -159,7 +159,7 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& s
       return;
     }
     boxes.push_back(placed);
-    out.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at.light));
+    out.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at));
     out.root_box.grow(boxes.back());
     if (in_bounds) out.bounds.grow(boxes.back());
   };

@@ -94,25 +94,34 @@ std::string describe_remoteness(const glm::dvec2& degrees, const scene::RenderSc
                      mean_radius_km * std::acos(std::clamp(cosine, -1.0, 1.0)));
 }
 
-// The bounds of a city object: of its triangles wherever their meshes stand.
+// Returns the corners of a mesh's triangles: those of one city object, or all where none is given.
+std::vector<glm::vec3> find_corners(const scene::RenderScene& scene, const scene::Mesh& mesh,
+                                    std::optional<std::uint32_t> feature) {
+  std::vector<glm::vec3> corners;
+  for (std::uint32_t i = mesh.first_triangle; i < mesh.first_triangle + mesh.triangles; ++i) {
+    const gpu::Triangle& triangle = scene.triangles[i];
+    if (!feature || triangle.feature == *feature)
+      corners.insert(corners.end(), {triangle.v0, triangle.v1, triangle.v2});
+  }
+  return corners;
+}
+
+// The bounds of a city object: of its triangles wherever their meshes stand, and of the instances
+// that it is.
 std::optional<scene::Box> find_bounds(const scene::RenderScene& scene, std::uint32_t feature) {
   scene::Box box;
   bool any = false;
   for (const scene::Mesh& mesh : scene.meshes) {
-    std::vector<glm::vec3> corners;
-    for (std::uint32_t i = mesh.first_triangle; i < mesh.first_triangle + mesh.triangles; ++i) {
-      const gpu::Triangle& triangle = scene.triangles[i];
-      if (triangle.feature == feature)
-        corners.insert(corners.end(), {triangle.v0, triangle.v1, triangle.v2});
-    }
-    if (corners.empty()) continue;
+    const std::vector<glm::vec3> own = find_corners(scene, mesh, feature);
     for (const gpu::Instance& instance : scene.instances) {
-      if (instance.root != mesh.root || instance.feature != NO_HIT) continue;
+      if (instance.root != mesh.root) continue;
+      const bool is_whole = instance.feature == feature;
+      if (!is_whole && (own.empty() || instance.feature != NO_HIT)) continue;
       const glm::dmat4 to_object = glm::transpose(
           glm::dmat4(glm::dvec4(instance.to_object[0]), glm::dvec4(instance.to_object[1]),
                      glm::dvec4(instance.to_object[2]), glm::dvec4(0, 0, 0, 1)));
       const glm::dmat4 to_model = glm::inverse(to_object);
-      for (const glm::vec3& corner : corners) {
+      for (const glm::vec3& corner : is_whole ? find_corners(scene, mesh, {}) : own) {
         box.grow(glm::vec3(to_model * glm::dvec4(glm::dvec3(corner), 1)));
         any = true;
       }

@@ -95,6 +95,34 @@ TEST(SceneWriter, KeepsGeometryMaterialsFeaturesAndInstances) {
   }
 }
 
+TEST(SceneWriter, InstancesKeepTheObjectsThatTheyAre) {
+  const TempFolder folder;
+  SceneWriter writer(folder / "trees.glb", {});
+  writer.add_material({});
+  for (const char* id : {"oak", "lime", "house"}) writer.add_feature({id, "Tree", "", {}, {}});
+  const auto mesh = writer.add_mesh({"crown", {square(1)}});
+  const std::vector<std::uint32_t> objects{1, no_id, 0};
+  SceneNode trees{"trees", "tree", mesh, true, {}};
+  for (const std::uint32_t object : objects)
+    trees.instances.push_back({glm::mat4(1), no_id, {}, object});
+  writer.add_node(trees);
+  writer.add_node({"one", "tree", mesh, true, {{glm::mat4(1), no_id, {}, 2}}});
+  writer.add_node({"none", "tree", mesh, true, {{}}});
+  SceneNode wrong{"wrong", "tree", mesh, true, {{glm::mat4(1), no_id, {}, 3}}};
+  EXPECT_THROW(writer.add_node(wrong), Error);
+  writer.finish({});
+  const Scene scene = read_scene(folder / "trees.glb");
+  ASSERT_EQ(scene.nodes.size(), 3u);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    EXPECT_EQ(scene.nodes[0].instances.at(i).feature, objects[i]);
+  EXPECT_EQ(scene.nodes[1].instances.at(0).feature, 2u);
+  EXPECT_EQ(scene.nodes[2].instances.at(0).feature, no_id);
+  const std::string text = test::read_text(folder / "trees.glb");
+  EXPECT_NE(text.find("\"EXT_instance_features\":{\"featureIds\":[{\"attribute\":0,"
+                      "\"featureCount\":2,\"nullFeatureId\":8388607,\"propertyTable\":0}]}"),
+            std::string::npos);
+}
+
 TEST(SceneWriter, HoldsMeshesOnBothSidesOf16BitIndices) {
   const TempFolder folder;
   for (const std::uint32_t squares : {16383u, 16384u}) {  // 65532 and 65536 vertices

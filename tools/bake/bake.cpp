@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -72,7 +73,8 @@ class Bake {
   BakeReport run() {
     read_city();
     build_ground();
-    Georeference georeference = city_.georeference(tiles_.middle());
+    Georeference georeference =
+        city_.georeference(tiles_.empty() ? std::nullopt : std::optional(tiles_.middle()));
     build_bridges();
     build_barriers();
     report_.tiles = tiles_.write(georeference, city_, progress_);
@@ -80,8 +82,7 @@ class Bake {
     build_horizon(georeference);
     plant_trees(georeference);
     write_lights(georeference);
-    PlacesOfCity places =
-        find_places(city_, city_.terrain().extent().value_or(tiles_.extent()), georeference);
+    PlacesOfCity places = find_places(city_, find_extent(), georeference);
     report_.places = std::move(places.report);
     clock_.end_stage("places");
     scene_.finish(georeference, places.places);
@@ -118,7 +119,7 @@ class Bake {
     report_.gaps = city_.gaps();
     report_.cover.add(city_.cover());
     tiles_.drape(city_.height_at());
-    if (tiles_.empty())
+    if (tiles_.empty() && !shows_model_trees())
       throw Error(options_.city.files.front().string(), describe_emptiness(options_, report_.city));
     clock_.end_stage("terrain");
   }
@@ -157,7 +158,7 @@ class Bake {
     const trees::Season season = options_.city.cover.trees;
     if (season == trees::Season::none) return;
     const trees::TreeSet found = find_trees();
-    add_tree_models(scene_, found.trees, season, georeference);
+    add_tree_models(scene_, found.trees, model_trees(), season, georeference);
     report_.trees = {
         found.sources, found.left_out, found.assumed_sizes, found.odd_sizes,
         model_trees_ ? model_trees_->surfaces() : std::map<std::string, std::size_t>()};
@@ -171,6 +172,18 @@ class Bake {
     };
   }
 
+  // Returns the plan of the ground, else of what is shown.
+  terrain::Extent find_extent() {
+    if (const auto extent = city_.terrain().extent()) return *extent;
+    if (!tiles_.empty()) return tiles_.extent();
+    terrain::Extent extent{model_trees().front().place, model_trees().front().place};
+    for (const trees::ModelTree& tree : model_trees()) {
+      extent.low = glm::min(extent.low, tree.place);
+      extent.high = glm::max(extent.high, tree.place);
+    }
+    return extent;
+  }
+
   // The map's trees need a ground and longitude and latitude; the model's do not.
   trees::TreeSet find_trees() const {
     const auto extent = city_.terrain().extent();
@@ -179,8 +192,15 @@ class Bake {
     return trees::find_trees(
         has_map ? city_.map() : no_map, city_.cover(),
         extent ? ground_cover::Box{extent->low, extent->high} : ground_cover::Box{},
-        city_.to_frame(), city_.height_at(), find_obstacles(),
-        model_trees_ ? model_trees_->trees() : std::span<const trees::ModelTree>());
+        city_.to_frame(), city_.height_at(), find_obstacles(), model_trees());
+  }
+
+  bool shows_model_trees() const {
+    return options_.city.cover.trees != trees::Season::none && !model_trees().empty();
+  }
+
+  std::span<const trees::ModelTree> model_trees() const {
+    return model_trees_ ? model_trees_->trees() : std::span<const trees::ModelTree>();
   }
 
   // Gives `georeference` the identity that both files carry.

@@ -35,6 +35,7 @@ class TileWriter {
         for (int axis = 0; axis < 3; ++axis)
           instance.to_model[3][axis] =
               static_cast<float>(instance.to_model[3][axis] - origin_[axis]);
+        instance.feature = to_feature(instance.feature);
         if (instance.light == no_id)
           rest.instances.push_back(instance);
         else

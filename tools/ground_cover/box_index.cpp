@@ -56,4 +56,13 @@ std::vector<std::uint32_t> BoxIndex::find(const Box& box) const {
   return found;
 }
 
+const std::vector<std::uint32_t>* BoxIndex::find_square(const glm::dvec2& place, int level) const {
+  const std::vector<std::uint32_t>* found = nullptr;
+  if (used_[static_cast<std::size_t>(level)])
+    for_each_square({place, place}, level, [&](std::uint64_t square) {
+      if (const auto at = squares_.find(square); at != squares_.end()) found = &at->second;
+    });
+  return found;
+}
+
 }  // namespace nightcity::ground_cover

@@ -79,9 +79,10 @@ CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
 
 const CoverArea* Cover::find_first(const BoxIndex& index, const glm::dvec2& place) const {
   if (!finite(place)) return nullptr;
-  for (const std::uint32_t i : index.find({place, place}))
-    if (boxes_[i].holds(place) && mesh::holds(areas_[i].rings, place)) return &areas_[i];
-  return nullptr;
+  const std::uint32_t first = index.find_first(place, [&](std::uint32_t i) {
+    return boxes_[i].holds(place) && mesh::holds(areas_[i].rings, place);
+  });
+  return first == BoxIndex::none ? nullptr : &areas_[first];
 }
 
 double Cover::depth_at(const glm::dvec2& place) const {
@@ -91,9 +92,10 @@ double Cover::depth_at(const glm::dvec2& place) const {
 
 double Cover::find_lowering_m(const glm::dvec2& place) const {
   if (!finite(place)) return 0;
-  for (const std::uint32_t i : ramp_index_.find({place, place}))
-    if (mesh::holds({&ramps_[i].ring, 1}, place)) return ramps_[i].find_lowering_m(place);
-  return 0;
+  const std::uint32_t first = ramp_index_.find_first(place, [&](std::uint32_t i) {
+    return mesh::holds({&ramps_[i].ring, 1}, place);
+  });
+  return first == BoxIndex::none ? 0 : ramps_[first].find_lowering_m(place);
 }
 
 const Surface* Cover::surface_at(const glm::dvec2& place) const {

@@ -73,6 +73,8 @@ class Cover {
   std::map<std::string, std::size_t> left_out;
   /// Crossings with ramps.
   std::size_t lowered_kerbs = 0;
+  /// Corners of junctions that are round.
+  std::size_t rounded_corners = 0;
   /// Markings, by what they are, and how many.
   std::map<std::string, std::size_t> markings;
   /// Values that no tag gives, and how often they were assumed.

@@ -174,11 +174,10 @@ class StreetAreas {
 
   GroundKind find_kind(const osm::OsmTags& tags, const roads::RoadClass& road) {
     const auto surface = tags.find("surface");
-    if (surface != tags.end())
-      if (const auto kind = find_surface(surface->second)) return *kind;
-    ++cover_.assumed[surface == tags.end() ? "surface of a street"
-                                           : "surface of a street whose tag is not known"];
-    return guess_surface(road);
+    if (surface == tags.end() || !find_surface(surface->second))
+      ++cover_.assumed[surface == tags.end() ? "surface of a street"
+                                             : "surface of a street whose tag is not known"];
+    return find_street_surface(tags, road);
   }
 
   void add_roadside(const std::vector<glm::dvec2>& line, double half_m, const Roadside& left,
@@ -226,6 +225,17 @@ bool lies_inside(const osm::OsmTags& tags) {
          tag_of(tags, "indoor") == "yes" || tag_of(tags, "highway") == "corridor" ||
          tag_of(tags, "location") == "underground" || lies_below(tags, "level") ||
          (lies_below(tags, "layer") && is_covered(tags));
+}
+
+GroundKind find_street_surface(const osm::OsmTags& tags, const roads::RoadClass& road) {
+  const auto surface = tags.find("surface");
+  const auto kind = surface == tags.end() ? std::nullopt : find_surface(surface->second);
+  return kind.value_or(guess_surface(road));
+}
+
+double find_roadside_m(const osm::OsmTags& tags, const roads::RoadClass& road, const char* side) {
+  const Roadside beside = read_roadside(tags, road, side);
+  return beside.pavement_m > 0 ? beside.width_m() : 0;
 }
 
 double find_street_reach_m(const osm::OsmTags& tags) {

@@ -7,6 +7,7 @@
 #include "tools/ground_cover/cover.h"
 #include "tools/osm/osm_data.h"
 #include "tools/place/site.h"
+#include "tools/roads/road_class.h"
 
 namespace nightcity::ground_cover {
 
@@ -29,6 +30,13 @@ void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonL
 
 /// Returns whether a way with these tags runs in a tunnel or a building, or else below the ground.
 bool lies_inside(const osm::OsmTags& tags);
+
+/// Returns what a road is made of: what `surface` says, else what is usual for its class.
+GroundKind find_street_surface(const osm::OsmTags& tags, const roads::RoadClass& road);
+
+/// Returns the width of what lies beside a road on one side ("left", "right" of its direction) up to
+/// the outer edge of the pavement, m, without bays; 0 where there is no pavement.
+double find_roadside_m(const osm::OsmTags& tags, const roads::RoadClass& road, const char* side);
 
 /// Returns how far the areas of a street or path reach from its middle, m: to the kerb, or to the
 /// outer edge of the wider pavement. Bays are not counted. 0 where there is no street.

@@ -36,33 +36,50 @@ OwnerFinder::OwnerFinder(const PlaneLayer& layer) : layer_(layer), boxes_(layer.
     whole_.add(boxes_[i].high);
   }
   if (whole_.is_empty()) return;
-  side_ = std::clamp<std::size_t>(
-      static_cast<std::size_t>(std::sqrt(static_cast<double>(layer.size()))), 1, max_side);
-  squares_.resize(side_ * side_);
-  for (std::uint32_t i = 0; i < layer.size(); ++i) {
-    if (boxes_[i].is_empty()) continue;
-    const auto [first_column, first_row] = find_square(boxes_[i].low);
-    const auto [last_column, last_row] = find_square(boxes_[i].high);
-    for (std::size_t row = first_row; row <= last_row; ++row)
-      for (std::size_t column = first_column; column <= last_column; ++column)
-        squares_[row * side_ + column].push_back(i);
-  }
+  for (std::size_t side = 1; side == 1 || (side <= max_side && side * side <= 4 * layer.size());
+       side *= 2)
+    grids_.push_back({side});
+  for (std::uint32_t i = 0; i < layer.size(); ++i)
+    if (!boxes_[i].is_empty()) add(i, boxes_[i]);
+}
+
+void OwnerFinder::add(std::uint32_t area, const Box& box) {
+  std::size_t level = grids_.size() - 1;
+  const auto spans = [&](int axis) {
+    const Grid& grid = grids_[level];
+    return find_column(grid, box.high, axis) - find_column(grid, box.low, axis);
+  };
+  while (level > 0 && (spans(0) > 1 || spans(1) > 1)) --level;
+  Grid& grid = grids_[level];
+  if (grid.squares.empty()) grid.squares.resize(grid.side * grid.side);
+  for (std::size_t row = find_column(grid, box.low, 1); row <= find_column(grid, box.high, 1);
+       ++row)
+    for (std::size_t column = find_column(grid, box.low, 0);
+         column <= find_column(grid, box.high, 0); ++column)
+      grid.squares[row * grid.side + column].push_back(area);
 }
 
 std::uint32_t OwnerFinder::find(const glm::dvec2& place) const {
   if (!whole_.holds(place)) return no_label;
-  const auto [column, row] = find_square(place);
-  for (const std::uint32_t i : squares_[row * side_ + column])
-    if (boxes_[i].holds(place) && mesh::holds(layer_[i].rings, place)) return layer_[i].label;
-  return no_label;
+  std::size_t first = layer_.size();
+  for (const Grid& grid : grids_) {
+    if (grid.squares.empty()) continue;
+    for (const std::uint32_t i :
+         grid.squares[find_column(grid, place, 1) * grid.side + find_column(grid, place, 0)]) {
+      if (i >= first) break;
+      if (!boxes_[i].holds(place) || !mesh::holds(layer_[i].rings, place)) continue;
+      first = i;
+      break;
+    }
+  }
+  return first < layer_.size() ? layer_[first].label : no_label;
 }
 
-std::pair<std::size_t, std::size_t> OwnerFinder::find_square(const glm::dvec2& place) const {
-  const auto along = [&](double value, double low, double high) {
-    const double share = high > low ? (value - low) / (high - low) : 0;
-    return std::min(static_cast<std::size_t>(share * static_cast<double>(side_)), side_ - 1);
-  };
-  return {along(place.x, whole_.low.x, whole_.high.x), along(place.y, whole_.low.y, whole_.high.y)};
+// Returns the column of a place along axis 0, its row along axis 1.
+std::size_t OwnerFinder::find_column(const Grid& grid, const glm::dvec2& place, int axis) const {
+  const double low = whole_.low[axis], high = whole_.high[axis];
+  const double share = high > low ? (place[axis] - low) / (high - low) : 0;
+  return std::min(static_cast<std::size_t>(share * static_cast<double>(grid.side)), grid.side - 1);
 }
 
 }  // namespace nightcity::mesh

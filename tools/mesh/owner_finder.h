@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace nightcity::mesh {
@@ -26,7 +25,9 @@ constexpr std::uint32_t no_label = std::numeric_limits<std::uint32_t>::max();
 /// Returns whether an odd number of the rings go round a place.
 bool holds(std::span<const std::vector<glm::dvec2>> rings, const glm::dvec2& place);
 
-/// Finds the owners of places in one layer, by the squares of a grid that the areas' boxes touch.
+/// Finds the owners of places in one layer. An area is listed in the squares of the grid that is
+/// just wider than its box, at most four, so that areas as wide as the layer cost no more than
+/// others.
 class OwnerFinder {
  public:
   /// `layer` must outlive the finder.
@@ -44,13 +45,18 @@ class OwnerFinder {
       return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
     }
   };
-  std::pair<std::size_t, std::size_t> find_square(const glm::dvec2& place) const;
+  // A grid of `side` x `side` squares over the whole layer. Grids double their side.
+  struct Grid {
+    std::size_t side = 1;
+    std::vector<std::vector<std::uint32_t>> squares{};  // areas in the layer's order
+  };
+  std::size_t find_column(const Grid& grid, const glm::dvec2& place, int axis) const;
+  void add(std::uint32_t area, const Box& box);
 
   const PlaneLayer& layer_;
   std::vector<Box> boxes_;  // of each area
   Box whole_;
-  std::size_t side_ = 1;                             // squares along a side of the grid
-  std::vector<std::vector<std::uint32_t>> squares_;  // areas in the layer's order
+  std::vector<Grid> grids_;  // from one square on
 };
 
 }  // namespace nightcity::mesh

@@ -53,12 +53,11 @@ class Arrangement {
  public:
   // Throws Error where crossings make more than `max_vertices`.
   Arrangement(const std::vector<Edge>& edges, std::size_t max_vertices) {
-    insert_points(edges);
+    const std::vector<std::uint32_t> ends = number_points(edges);
+    insert_points();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // each edge once
-    for (const auto& [from, to] : edges) {
-      const std::uint32_t a = find_index(from), b = find_index(to);
-      if (a != b) pairs.push_back(std::minmax(a, b));
-    }
+    for (std::size_t i = 0; i < ends.size(); i += 2)
+      if (ends[i] != ends[i + 1]) pairs.push_back(std::minmax(ends[i], ends[i + 1]));
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     for (const auto& [a, b] : pairs) {
@@ -121,14 +120,30 @@ class Arrangement {
   bool is_flat() const { return triangulation_.dimension() < 2; }
 
  private:
-  // All at once, because CGAL inserts a range in space-filling order.
-  void insert_points(const std::vector<Edge>& edges) {
-    for (const auto& [a, b] : edges) {
-      points_.push_back(a);
-      points_.push_back(b);
+  // Gathers the different points of the edges, in order, and returns the numbers of each edge's
+  // two ends among them.
+  std::vector<std::uint32_t> number_points(const std::vector<Edge>& edges) {
+    struct End {
+      glm::dvec2 place;
+      std::uint32_t number;  // among all ends
+    };
+    std::vector<End> ends;
+    ends.reserve(2 * edges.size());
+    for (const auto& [a, b] : edges)
+      for (const glm::dvec2& place : {a, b})
+        ends.push_back({place, static_cast<std::uint32_t>(ends.size())});
+    std::sort(ends.begin(), ends.end(),
+              [](const End& a, const End& b) { return is_before(a.place, b.place); });
+    std::vector<std::uint32_t> numbers(ends.size());
+    for (const End& end : ends) {
+      if (points_.empty() || points_.back() != end.place) points_.push_back(end.place);
+      numbers[end.number] = static_cast<std::uint32_t>(points_.size() - 1);
     }
-    std::sort(points_.begin(), points_.end(), is_before);
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    return numbers;
+  }
+
+  // All at once, because CGAL inserts a range in space-filling order.
+  void insert_points() {
     std::vector<std::pair<PlaneKernel::Point_2, VertexInfo>> input;
     input.reserve(points_.size());
     for (std::uint32_t i = 0; i < points_.size(); ++i)
@@ -137,11 +152,6 @@ class Arrangement {
     vertices_.resize(points_.size());
     for (const Vertex vertex : triangulation_.finite_vertex_handles())
       vertices_[std::exchange(vertex->info().index, unset)] = vertex;
-  }
-
-  std::uint32_t find_index(const glm::dvec2& p) const {
-    return static_cast<std::uint32_t>(
-        std::lower_bound(points_.begin(), points_.end(), p, is_before) - points_.begin());
   }
 
   // Gives the cell's number to all its faces and returns the middle of the largest.

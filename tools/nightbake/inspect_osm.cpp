@@ -32,7 +32,8 @@ Inspection inspect_osm(const std::filesystem::path& file) {
                        {"bad coordinates", data.bad_coordinates},
                        {"duplicates", data.duplicates},
                        {"older versions", data.old_versions},
-                       {"ways of too many nodes", data.long_ways}};
+                       {"ways of too many nodes", data.long_ways},
+                       {"streets or tracks beyond 64 in one place", data.crowded_ways}};
   if (!data.remarks.empty()) result["remarks"] = data.remarks;
   result["nodes"] = data.nodes;
   result["ways"] = data.ways;

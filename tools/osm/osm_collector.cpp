@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "tools/osm/crowded_streets.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/resolution.h"
 
@@ -178,6 +179,7 @@ OsmData OsmCollector::finish() && {
   place_points(squares_, data_.squares);
   for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();
+  data_.crowded_ways = leave_out_crowded(data_.highways) + leave_out_crowded(data_.railways);
   std::stable_sort(data_.shining_things.begin(), data_.shining_things.end(),
                    [](const OsmShiningThing& a, const OsmShiningThing& b) {
                      return std::tie(a.is_way, a.id) < std::tie(b.is_way, b.id);

@@ -52,6 +52,10 @@ struct OsmWay {
 /// Nodes of a way. OpenStreetMap itself allows 2,000; files made of other data have longer lines.
 constexpr std::size_t default_max_way_nodes = 20'000;
 
+/// Streets, or tracks, that meet in one place; more are left out, and counted. No junction has as
+/// many.
+constexpr std::size_t max_streets_at_node = 64;
+
 struct OsmData {
   std::vector<OsmLampNode> lamps;  // street_lamp, lantern, floodlight, tower:type=lighting, ...
   std::vector<OsmWay> highways;
@@ -70,6 +74,7 @@ struct OsmData {
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;
   std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version
   std::size_t long_ways = 0;     // left out: of more nodes than a reader's limit
+  std::size_t crowded_ways = 0;  // left out: streets and tracks beyond max_streets_at_node
   std::vector<std::string> remarks;  // of the server that made the file
 };
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tools/random.h"
+#include "tools/trees/crown_gap.h"
 
 namespace nightcity::trees {
 namespace {
@@ -36,7 +37,8 @@ double find_depth(double gap) {
 std::vector<LeafQuad> make_leaves(double gap, double length, double width, std::uint64_t seed) {
   const double count = 4.0 / 3 * std::numbers::pi * find_depth(gap) / (length * width);
   Random random{static_cast<std::int64_t>(seed)};
-  std::vector<LeafQuad> leaves(static_cast<std::size_t>(std::lround(count)));
+  // More than are needed.
+  std::vector<LeafQuad> leaves(64 + static_cast<std::size_t>(std::lround(2 * count)));
   for (LeafQuad& leaf : leaves) {
     const auto middle = draw_direction(random) * static_cast<float>(std::cbrt(random.uniform()));
     const glm::vec3 normal = draw_direction(random);
@@ -48,6 +50,7 @@ std::vector<LeafQuad> make_leaves(double gap, double length, double width, std::
                     v = (c * t - d * s) * static_cast<float>(width / 2);
     leaf = {middle - u - v, middle + u - v, middle + u + v, middle - u + v};
   }
+  leaves.resize(count_leaves(leaves, gap));
   return leaves;
 }
 

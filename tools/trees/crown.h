@@ -23,9 +23,12 @@ double find_depth(double gap);
 
 using LeafQuad = std::array<glm::vec3, 4>;
 
-/// Returns the leaves of a crown within the unit ball, rectangles of `length` by `width` in radii,
-/// as many as make the mean gap `gap`: n = 4/3 pi depth / (length width), since a leaf that is
-/// turned at random shows half its area (Cauchy). The same seed gives the same leaves.
+/// Returns the leaves of a crown, rectangles of `length` by `width` in radii with their middles in
+/// the unit ball: as many as let the share `gap` of parallel light that falls on the ball pass it,
+/// in the mean over all directions, to 0.1 % of what falls. Of small leaves that is
+/// n = 4/3 pi depth / (length width), since a leaf that is turned at random shows half its area
+/// (Cauchy); larger ones reach beyond the ball, and it takes more of them. The same seed gives the
+/// same leaves.
 std::vector<LeafQuad> make_leaves(double gap, double length, double width, std::uint64_t seed);
 
 }  // namespace nightcity::trees

@@ -87,7 +87,9 @@ class Planter {
           const place::InsideBuilding& inside)
       : to_frame_(to_frame), height_at_(height_at), inside_(inside) {}
 
-  void add_of_model(const ModelTree& tree) {
+  // `number`: of the tree among those of the model.
+  void add_of_model(const ModelTree& tree, std::uint32_t number) {
+    if (!tree.outlines.empty()) return add_cover(tree, number);
     if (is_full()) {
       ++set_.left_out["tree beyond the first 200000"];
       return;
@@ -98,9 +100,10 @@ class Planter {
       return;
     }
     set_.odd_sizes += static_cast<std::size_t>(tree.odd_sizes);
-    add(make_tree({tree.height_m, tree.crown_m, tree.trunk_m, tree.habit, tree.is_shrub},
-                  tree.place),
-        {tree.place, *foot}, "of the model");
+    Tree made = make_tree({tree.height_m, tree.crown_m, tree.trunk_m, tree.habit, tree.is_shrub},
+                          tree.place);
+    made.of_model = number;
+    add(made, {tree.place, *foot}, "of the model");
     of_model_.add(tree.place, 0);
   }
 
@@ -126,7 +129,26 @@ class Planter {
     }
   }
 
-  // Strews trees over the squares of a grid, one in each.
+  // Strews trees over a cover of plants of the model. They are as high as it in the mean.
+  void add_cover(const ModelTree& cover, std::uint32_t number) {
+    set_.odd_sizes += static_cast<std::size_t>(cover.odd_sizes);
+    strew(ground_cover::find_box(cover.outlines), [&](const glm::dvec2& p, Random& random) {
+      if (!mesh::holds(cover.outlines, p) || has_nearer(all_, p, min_distance_m) ||
+          (inside_ && inside_(p)))
+        return;
+      const auto height = height_at_(p);
+      const auto foot = height ? height : cover.foot_m;
+      if (!foot) return;
+      Tree tree = complete({*cover.height_m * random.range(0.8, 1.2), std::nullopt, std::nullopt,
+                            cover.habit, false},
+                           p);
+      tree.of_model = number;
+      add(tree, {p, *foot}, "in covers of the model");
+      of_model_.add(p, 0);
+    });
+    if (is_full()) ++set_.left_out["cover of plants beyond the first 200000 trees"];
+  }
+
   void add_wood(const ground_cover::Cover& cover, const ground_cover::CoverArea& wood,
                 const ground_cover::Box& bounds) {
     if (is_full()) {
@@ -135,6 +157,20 @@ class Planter {
     }
     ground_cover::Box box = ground_cover::find_box(wood.rings);
     box = {glm::max(box.low, bounds.low), glm::min(box.high, bounds.high)};
+    strew(box, [&](const glm::dvec2& p, Random&) {
+      if (!mesh::holds(wood.rings, p)) return;
+      const ground_cover::Surface* surface = cover.surface_at(p);
+      if (surface && surface->kind == ground_cover::GroundKind::woodland)
+        plant(p, {}, "in woods", true);
+    });
+  }
+
+  TreeSet take() { return std::move(set_); }
+
+ private:
+  // Passes a place in each square of a grid that meets the box, and the random numbers that made it.
+  template <class Visit>
+  void strew(const ground_cover::Box& box, const Visit& visit) {
     const auto to_square = [](double v) {
       return static_cast<std::int64_t>(std::floor(v / wood_spacing_m));
     };
@@ -144,16 +180,10 @@ class Planter {
         const glm::dvec2 p = glm::dvec2(static_cast<double>(i) + random.uniform(),
                                         static_cast<double>(j) + random.uniform()) *
                              wood_spacing_m;
-        if (!mesh::holds(wood.rings, p)) continue;
-        const ground_cover::Surface* surface = cover.surface_at(p);
-        if (surface && surface->kind == ground_cover::GroundKind::woodland)
-          plant(p, {}, "in woods", true);
+        visit(p, random);
       }
   }
 
-  TreeSet take() { return std::move(set_); }
-
- private:
   bool is_full() const { return set_.trees.size() >= max_trees || tried_ > 20 * max_trees; }
 
   void plant(const glm::dvec2& place, const osm::OsmTags& tags, const char* source,
@@ -216,7 +246,7 @@ TreeSet find_trees(const osm::OsmData& map, const ground_cover::Cover& cover,
                    const place::HeightAt& height_at, const place::InsideBuilding& inside,
                    std::span<const ModelTree> model) {
   Planter planter(to_frame, height_at, inside);
-  for (const ModelTree& tree : model) planter.add_of_model(tree);
+  for (std::uint32_t i = 0; i < model.size(); ++i) planter.add_of_model(model[i], i);
   for (const osm::OsmPoint& tree : map.trees) planter.add_mapped(tree);
   for (const osm::OsmWay& row : map.tree_rows) planter.add_row(row);
   for (const ground_cover::CoverArea& area : cover.areas())

@@ -1,9 +1,13 @@
 #include "tools/trees/model_tree.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "formats/finite.h"
 #include "formats/to_lower.h"
@@ -85,6 +89,67 @@ NoTree judge(const city::CityObject& object, const Box& box, ModelTree& tree) {
   return NoTree::is_one;
 }
 
+std::vector<glm::dvec2> to_plan(const city::Ring& ring) {
+  std::vector<glm::dvec2> plan;
+  for (const glm::dvec3& p : ring)
+    if (finite(p)) plan.emplace_back(p);
+  return plan;
+}
+
+// Returns twice the area of a ring in plan, positive where it faces upward.
+double find_area(const std::vector<glm::dvec2>& ring) {
+  double area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const glm::dvec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+    area += a.x * b.y - a.y * b.x;
+  }
+  return area;
+}
+
+// Returns the plan of a cover's surfaces that face upward; of those that face downward where there
+// are no others, as in a file that winds them the wrong way.
+std::vector<std::vector<glm::dvec2>> find_outlines(const city::CityObject& object) {
+  constexpr double min_area_m2 = 0.1;  // what stands upright has none
+  std::array<std::vector<std::vector<glm::dvec2>>, 2> found;
+  for (const city::Polygon& polygon : object.polygons) {
+    std::vector<glm::dvec2> exterior = to_plan(polygon.exterior);
+    const double area = find_area(exterior);
+    if (!(std::abs(area) > min_area_m2)) continue;
+    auto& rings = found[area > 0 ? 0 : 1];
+    rings.push_back(std::move(exterior));
+    for (const city::Ring& hole : polygon.interiors)
+      if (std::vector<glm::dvec2> ring = to_plan(hole); ring.size() > 2)
+        rings.push_back(std::move(ring));
+  }
+  return std::move(found[found[0].empty() ? 1 : 0]);
+}
+
+NoTree judge_cover(const city::CityObject& object, const Box& box, ModelTree& tree) {
+  if (box.empty()) return NoTree::nowhere;
+  const glm::dvec3 size = box.size();
+  tree.height_m = object.plant->height_m;
+  if (!tree.height_m && size.z > flat_m && size.z <= city::max_plant_height_m)
+    tree.height_m = size.z;
+  if (!tree.height_m || *tree.height_m < min_wood_m) return NoTree::low;
+  tree.outlines = find_outlines(object);
+  std::size_t corners = 0;
+  for (const auto& ring : tree.outlines) corners += ring.size();
+  if (corners == 0) return NoTree::nowhere;
+  if (!(std::max(size.x, size.y) <= max_wood_width_m) || corners > max_wood_corners)
+    return NoTree::wide;
+  tree.place = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
+  tree.foot_m = known_height(box.low.z);
+  tree.habit = find_habit(object, find_class(object.building_class));
+  tree.odd_sizes = object.plant->odd_sizes;
+  return NoTree::is_one;
+}
+
+void name_after(const city::CityObject& object, ModelTree& tree) {
+  tree.id = object.id;
+  tree.class_name = object.class_name;
+  tree.function = object.function.empty() ? object.usage : object.function;
+}
+
 }  // namespace
 
 std::optional<ModelTree> find_model_tree(const city::CityObject& object, NoTree* why) {
@@ -92,9 +157,17 @@ std::optional<ModelTree> find_model_tree(const city::CityObject& object, NoTree*
     if (why) *why = reason;
     return std::nullopt;
   };
-  if (!object.plant || !object.class_name.ends_with("SolitaryVegetationObject"))
+  const bool is_cover = object.class_name.ends_with("PlantCover");
+  if (!object.plant || !(is_cover || object.class_name.ends_with("SolitaryVegetationObject")))
     return refuse(NoTree::no_plant);
   const Box box = find_box(object);
+  if (is_cover) {
+    ModelTree wood;
+    name_after(object, wood);
+    if (const NoTree reason = judge_cover(object, box, wood); reason != NoTree::is_one)
+      return refuse(reason);
+    return wood;
+  }
   if (box.empty() && object.points.empty()) return refuse(NoTree::nowhere);
   ModelTree tree;
   if (const NoTree reason = judge(object, box, tree); reason != NoTree::is_one)
@@ -103,6 +176,7 @@ std::optional<ModelTree> find_model_tree(const city::CityObject& object, NoTree*
     tree.place = glm::dvec2(object.points.front());
     tree.foot_m = known_height(object.points.front().z);
   }
+  name_after(object, tree);
   return tree;
 }
 

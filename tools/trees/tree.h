@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace nightcity::trees {
 
@@ -15,6 +16,9 @@ struct Tree {
   double clear_m = 0;      // from foot to the lowest leaf
   double trunk_m = 0;      // diameter of the trunk
   bool evergreen = false;  // has its leaves in winter
+  /// The number of the city model's tree that it is, or of the cover that it stands in; none of the
+  /// map's.
+  std::optional<std::uint32_t> of_model{};
 };
 
 }  // namespace nightcity::trees

@@ -77,15 +77,14 @@ bool bake_orchard(const TempFolder& folder, const std::string& season) {
 // The mean number of leaves that a ray meets, by its distance from the middle of the unit ball.
 class LeavesOnRay {
  public:
-  // Leaves of `length` by `width` make the mean of exp(-depth c / 2) over the ball's chords c equal
-  // to `gap`. They hang with their middles in the ball, so some reach beyond it.
+  // Leaves of `length` by `width` hang with their middles in the ball, so some reach beyond it. The
+  // share `gap` of the light on the ball passes them.
   LeavesOnRay(double gap, double length, double width) {
-    const double depth = find_depth(gap);
     Random random{3};
     constexpr int samples = 20'000;
     // A leaf that shows the share |cos| of its area covers a ray if its middle lies in the chord
     // that is as far beside the ray as a point of the leaf is beside its middle. The mean of |cos|
-    // is 1/2 (Cauchy), so without an extent of leaves it is depth c / 2 for every offset.
+    // is 1/2 (Cauchy), so for a depth of 1 and leaves without an extent it is c / 2.
     for (int n = 0; n < samples; ++n) {
       const double z = random.range(-1, 1), turn = random.range(0, 2 * pi),
                    spin = random.range(0, 2 * pi), s = random.range(-0.5, 0.5) * length,
@@ -95,9 +94,11 @@ class LeavesOnRay {
                              std::sin(turn) * u + std::cos(turn) * v);
       for (std::size_t i = 0; i < means_.size(); ++i) {
         const double square = 1 - std::pow(step * double(i) - aside.x, 2) - aside.y * aside.y;
-        if (square > 0) means_[i] += depth * std::abs(z) * 2 * std::sqrt(square) / samples;
+        if (square > 0) means_[i] += std::abs(z) * 2 * std::sqrt(square) / samples;
       }
     }
+    const double depth = find_depth(gap);
+    for (double& mean : means_) mean *= depth;
   }
 
   double find(double offset) const {
@@ -108,14 +109,12 @@ class LeavesOnRay {
   }
 
  private:
-  static double find_depth(double gap) {
-    // Chords c of a ball are distributed as c / 2.
-    const auto find_gap = [](double depth) {
+  // Returns the depth of which the mean of exp(-depth mean) over the disc of the ball is `gap`.
+  double find_depth(double gap) const {
+    const auto find_gap = [&](double depth) {
       double sum = 0;
-      for (int i = 0; i < 1000; ++i) {
-        const double chord = 2 * (i + 0.5) / 1000;
-        sum += std::exp(-depth * chord / 2) * chord / 1000;
-      }
+      for (int i = 0; i < 1000; ++i)  // rings of equal area
+        sum += std::exp(-depth * find(std::sqrt((i + 0.5) / 1000))) / 1000;
       return sum;
     };
     double low = 0, high = 100;

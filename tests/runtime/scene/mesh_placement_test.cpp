@@ -70,6 +70,22 @@ TEST(MeshPlacement, CopiesOfASmallMeshAreSeenAsItsInstancesAre) {
   EXPECT_GT(lit, 100u);
 }
 
+TEST(MeshPlacement, InstancesAndCopiesAreTheObjectsThatTheyName) {
+  for (const int n : {1, 9}) {  // instanced, and copied
+    SceneBuilder builder = posts_on_ground(n);
+    for (std::size_t i = 0; i < posts; ++i)
+      builder.scene().nodes[1].instances[i].feature = static_cast<std::uint32_t>(10 + i);
+    const scene::RenderScene scene = builder.with(lights_of_posts());
+    for (std::size_t i = 0; i < posts; ++i) {
+      const auto hit =
+          scene::trace_ray(scene, {double(i) * 6 - 15, 9, 3}, {0, -1, 0}, 8, MASK_SHADOW);
+      ASSERT_TRUE(hit);
+      const std::uint32_t own = scene.instances[hit->instance].feature;
+      EXPECT_EQ(own != NO_HIT ? own : scene.triangles[hit->triangle].feature, 10 + i);
+    }
+  }
+}
+
 TEST(MeshPlacement, CopiesAreAtMostHalfOfWhatStandsOnce) {
   // 12 triangles of 6 posts need 144 that stand once: 2 n^2 >= 144.
   EXPECT_EQ(posts_on_ground(8).with(lights_of_posts()).instances.size(), 1 + posts);

@@ -118,6 +118,13 @@ TEST(Places, ObjectsAreFoundByTheirIdOrAPartOfIt) {
   EXPECT_NE(road.name.find("first of 2"), std::string::npos) << road.name;
 }
 
+TEST(Places, AnObjectThatIsAnInstanceIsFoundWhereItStands) {
+  scene::RenderScene scene = make_scene();
+  for (gpu::Instance& instance : scene.instances) instance.feature = 0;
+  const Place all = find_place("DEBE_01", scene, MapProjection(""));
+  EXPECT_GT(all.radius_m, glm::length(glm::vec3(5, 5, 10)) + 50) << "the ground and the block";
+}
+
 // A scene in a CRS that the runtime has no closed form of, with what its bake knew of it.
 scene::RenderScene make_scene_with_places() {
   scene::RenderScene scene = make_scene();

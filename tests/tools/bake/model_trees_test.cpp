@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "formats/scene_reader.h"
 #include "support/temp_folder.h"
@@ -109,6 +111,89 @@ TEST(BakeModelTrees, ATreeWithoutSurfacesStandsOnTheGround) {
     if (node.name == "crowns") {
       EXPECT_EQ(node.instances.size(), trees + 1);
     }
+}
+
+TEST(BakeModelTrees, EachTreeIsAFeatureThatItsTrunkAndCrownName) {
+  const TempFolder folder;
+  const std::size_t trees = write_planted_town(folder.path()).trees;
+  bake(read_recipe(write_recipe(folder.path(), "")), folder / "out");
+  const Scene scene = read_scene(folder / "out/city.glb");
+  for (const char* part : {"trunks", "crowns"}) {
+    std::set<std::string> ids;
+    for (const SceneNode& node : scene.nodes)
+      if (node.name == part)
+        for (const SceneInstance& tree : node.instances) {
+          ASSERT_LT(tree.feature, scene.features.size());
+          EXPECT_EQ(scene.features[tree.feature].type, "SolitaryVegetationObject");
+          ids.insert(scene.features[tree.feature].id);
+        }
+    EXPECT_EQ(ids.size(), trees) << part;
+    EXPECT_FALSE(ids.contains(""));
+  }
+}
+
+// A city of nothing but `members`, in its plane.
+fs::path write_plants(const TempFolder& folder, const std::string& members) {
+  std::ofstream(folder / "plants.gml")
+      << "<core:CityModel xmlns:core=\"http://www.opengis.net/citygml/2.0\" "
+         "xmlns:veg=\"http://www.opengis.net/citygml/vegetation/2.0\" "
+         "xmlns:gml=\"http://www.opengis.net/gml\"><gml:boundedBy><gml:Envelope "
+         "srsName=\"EPSG:25833\" srsDimension=\"3\"><gml:lowerCorner>389990 5819990 30"
+         "</gml:lowerCorner><gml:upperCorner>390100 5820100 40</gml:upperCorner></gml:Envelope>"
+         "</gml:boundedBy>"
+      << members << "</core:CityModel>";
+  std::ofstream(folder / "plants.toml") << "[city]\nfiles = ['plants.gml']\n";
+  return folder / "plants.toml";
+}
+
+TEST(BakeModelTrees, ACityOfTreesAloneIsAScene) {
+  const TempFolder folder;
+  const fs::path recipe = write_plants(
+      folder,
+      "<core:cityObjectMember><veg:SolitaryVegetationObject gml:id=\"oak\"><veg:height "
+      "uom=\"m\">14</veg:height><veg:lod1ImplicitRepresentation><core:ImplicitGeometry>"
+      "<core:referencePoint><gml:Point><gml:pos srsDimension=\"3\">390000 5820000 35</gml:pos>"
+      "</gml:Point></core:referencePoint></core:ImplicitGeometry>"
+      "</veg:lod1ImplicitRepresentation></veg:SolitaryVegetationObject></core:cityObjectMember>");
+  bake(read_recipe(recipe), folder / "out");
+  const Scene scene = read_scene(folder / "out/city.glb");
+  ASSERT_EQ(scene.features.size(), 1u);
+  EXPECT_EQ(scene.features[0].id, "oak");
+  for (const SceneNode& node : scene.nodes) {
+    ASSERT_EQ(node.instances.size(), 1u);
+    EXPECT_EQ(node.instances[0].feature, 0u);
+  }
+  EXPECT_EQ(scene.nodes.size(), 2u) << "a trunk and a crown";
+}
+
+// A cover of 70 m by 70 m, flat but for its height.
+std::string make_cover(const char* id, double height_m) {
+  return std::string("<core:cityObjectMember><veg:PlantCover gml:id=\"") + id +
+         "\"><veg:averageHeight uom=\"m\">" + std::to_string(height_m) +
+         "</veg:averageHeight><veg:lod2MultiSurface><gml:MultiSurface><gml:surfaceMember>"
+         "<gml:Polygon><gml:exterior><gml:LinearRing><gml:posList srsDimension=\"3\">"
+         "390000 5820000 35 390070 5820000 35 390070 5820070 35 390000 5820070 35 390000 5820000 35"
+         "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon></gml:surfaceMember>"
+         "</gml:MultiSurface></veg:lod2MultiSurface></veg:PlantCover></core:cityObjectMember>";
+}
+
+TEST(BakeModelTrees, ACoverOfPlantsIsGrassScrubOrAWoodByItsHeight) {
+  for (const auto& [height_m, material] :
+       {std::pair{0.4, "grass"}, {2.0, "scrub"}, {12.0, "leaves"}}) {
+    const TempFolder folder;
+    bake(read_recipe(write_plants(folder, make_cover("cover", height_m))), folder / "out");
+    const Scene scene = read_scene(folder / "out/city.glb");
+    std::size_t shown = 0, crowns = 0;
+    for (const SceneNode& node : scene.nodes) {
+      for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives)
+        shown += scene.materials[primitive.material].name == material;
+      if (node.name == "crowns") crowns = node.instances.size();
+    }
+    EXPECT_EQ(shown, 1u) << material;
+    EXPECT_EQ(crowns > 50 && crowns <= 121, height_m > 3) << "one in a square of 7 m";
+    ASSERT_EQ(scene.features.size(), 1u);
+    EXPECT_EQ(scene.features[0].id, "cover");
+  }
 }
 
 }  // namespace

@@ -34,5 +34,33 @@ TEST(BoxIndex, FindsEveryBoxThatMeetsARectangleAndEachOnce) {
   }
 }
 
+TEST(BoxIndex, TheFirstThatHoldsAPlaceIsTheLeastOfAll) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(-1000, 1000), size(0, 3.5);
+  BoxIndex index;
+  std::vector<Box> boxes;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const glm::dvec2 low(place(random), place(random));
+    boxes.push_back(
+        {low, low + glm::dvec2(std::pow(10, size(random)), std::pow(10, size(random)))});
+    index.add(i, boxes.back());
+  }
+  int held = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const glm::dvec2 p(place(random), place(random));
+    const auto first =
+        std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) { return box.holds(p); });
+    const std::uint32_t found =
+        index.find_first(p, [&](std::uint32_t i) { return boxes[i].holds(p); });
+    if (first == boxes.end())
+      EXPECT_EQ(found, BoxIndex::none);
+    else
+      EXPECT_EQ(found, static_cast<std::uint32_t>(first - boxes.begin()));
+    held += first != boxes.end();
+  }
+  EXPECT_GT(held, 500);
+  EXPECT_LT(held, 1990);
+}
+
 }  // namespace
 }  // namespace nightcity::ground_cover

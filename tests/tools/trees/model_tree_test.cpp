@@ -28,6 +28,19 @@ city::CityObject make_plant_at(const glm::dvec3& place) {
   return object;
 }
 
+// A block of plants: its top, its bottom and one side.
+city::CityObject make_cover(const glm::dvec3& low, const glm::dvec3& high) {
+  city::CityObject object = make_plant(low, high);
+  object.class_name = "PlantCover";
+  object.polygons[0].exterior = {
+      {low.x, low.y, high.z}, {high.x, low.y, high.z}, high, {low.x, high.y, high.z}};
+  object.polygons.emplace_back().exterior = {
+      low, {low.x, high.y, low.z}, {high.x, high.y, low.z}, {high.x, low.y, low.z}};
+  object.polygons.emplace_back().exterior = {
+      low, {high.x, low.y, low.z}, {high.x, low.y, high.z}, {low.x, low.y, high.z}};
+  return object;
+}
+
 NoTree find_reason(const city::CityObject& object) {
   NoTree why = NoTree::is_one;
   find_model_tree(object, &why);
@@ -66,8 +79,11 @@ TEST(ModelTree, AnOutlineOrAPointAloneGivesNoHeight) {
 }
 
 TEST(ModelTree, WhatIsNoTreeHasAReason) {
-  city::CityObject cover = make_plant({0, 0, 0}, {5, 5, 5});
-  cover.class_name = "PlantCover";
+  city::CityObject cover = make_cover({0, 0, 0}, {5, 5, 2.9});
+  EXPECT_EQ(find_reason(cover), NoTree::low);
+  EXPECT_EQ(find_reason(make_cover({0, 0, 0}, {5, 5, 0})), NoTree::low) << "no height is known";
+  EXPECT_EQ(find_reason(make_cover({0, 0, 0}, {5000, 5, 9})), NoTree::wide);
+  cover.class_name = "LandUse";
   EXPECT_EQ(find_reason(cover), NoTree::no_plant);
   EXPECT_EQ(find_reason(make_plant({0, 0, 0}, {1, 1, 0.9})), NoTree::low);
   EXPECT_EQ(find_reason(make_plant({0, 0, 0}, {1000, 1000, 9})), NoTree::wide);
@@ -80,6 +96,31 @@ TEST(ModelTree, WhatIsNoTreeHasAReason) {
   city::CityObject nowhere = make_plant_at({});
   nowhere.points.clear();
   EXPECT_EQ(find_reason(nowhere), NoTree::nowhere);
+}
+
+TEST(ModelTree, AHighCoverOfPlantsIsAWoodOfItsHeight) {
+  city::CityObject cover = make_cover({0, 0, 5}, {70, 70, 12});
+  cover.id = "wood";
+  cover.polygons[0].interiors = {
+      {{0, 0, 12}, {0, 35, 12}, {70, 35, 12}, {70, 0, 12}}};  // half of it
+  const auto wood = find_model_tree(cover);
+  ASSERT_TRUE(wood);
+  EXPECT_EQ(wood->height_m, 7);
+  EXPECT_EQ(wood->outlines.size(), 2u) << "its top and the hole";
+  const TreeSet set = find_trees({}, {}, bounds, as_metres, ground, {}, {&*wood, 1});
+  const double expected = 70 * 35 / (wood_spacing_m * wood_spacing_m);
+  const auto number = static_cast<double>(set.trees.size());
+  EXPECT_GT(number, 0.6 * expected) << "but for those within 4 m of another";
+  EXPECT_LE(number, expected + 10);
+  for (const Tree& tree : set.trees) {
+    EXPECT_GE(tree.foot.y, 35);
+    EXPECT_LE(tree.foot.y, 70);
+    EXPECT_EQ(tree.foot.z, 5);
+    EXPECT_NEAR(tree.height_m, 7, 1.4);
+    EXPECT_EQ(tree.of_model, 0u);
+  }
+  cover.plant->height_m = 20;
+  EXPECT_EQ(find_model_tree(cover)->height_m, 20) << "its attribute goes before its surfaces";
 }
 
 TEST(ModelTree, SpeciesAndClassSayWhetherItIsGreenInWinter) {

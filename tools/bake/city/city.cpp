@@ -17,6 +17,7 @@
 #include "tools/bake/parts/read_parts.h"
 #include "tools/barriers/outlines.h"
 #include "tools/bridges/deck_ways.h"
+#include "tools/ground_cover/junction_corners.h"
 #include "tools/ground_cover/land_areas.h"
 #include "tools/ground_cover/rail_areas.h"
 #include "tools/ground_cover/street_areas.h"
@@ -73,6 +74,11 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
     fmt::print(stderr,
                "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
                inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
+  if (map_.crowded_ways > 0)
+    fmt::print(
+        stderr,
+        "note: {}: {} streets or tracks left out: no more than {} may go through one place\n",
+        inputs_.maps.front().string(), map_.crowded_ways, osm::max_streets_at_node);
   if (!inputs_.survey) inventory_reports_ = inventory::add_to_map(inputs_.inventories, map_);
   if (!has_model()) map_frame_ = find_map_frame(map_);
   if (has_model()) report_moved_origin();
@@ -219,6 +225,7 @@ void City::lay_cover(const GroundReport& ground) {
   if (has_streets) {
     const std::vector<osm::OsmWay> streets = find_ground_ways(map_.highways);
     ground_cover::add_streets(streets, options.parking, to_plan, bounds, cover_);
+    if (options.rounded_corners) ground_cover::add_corners(streets, to_plan, bounds, cover_);
     if (options.lowered_kerbs)
       ground_cover::add_kerb_ramps(streets, map_.crossings, to_plan, bounds, cover_);
     if (options.markings)

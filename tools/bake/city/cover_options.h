@@ -13,6 +13,7 @@ struct CoverOptions {
   bool streets = true;                  // of the map, where the model has no roads
   bool markings = true;                 // on those streets
   bool lowered_kerbs = true;            // where people cross them
+  bool rounded_corners = true;          // of carriageways where they meet
   std::optional<traffic::Side> side{};  // of the road that vehicles keep to; empty: by country
   bool parking = true;                  // lanes and bays along those streets
   bool rails = true;                    // of the map, where the model has no roads

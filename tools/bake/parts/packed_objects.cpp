@@ -43,8 +43,9 @@ city::CityObject strip(const city::CityObject& object) {
 // Field by field: the bytes between them would be any.
 template <class Archive, class Tree>
 void visit_tree(Archive& archive, Tree& tree) {
-  archive(tree.place, tree.foot_m, tree.height_m, tree.crown_m, tree.trunk_m, tree.habit.needles,
-          tree.habit.evergreen, tree.is_shrub, tree.odd_sizes);
+  archive(tree.id, tree.class_name, tree.function, tree.place, tree.foot_m, tree.height_m,
+          tree.crown_m, tree.trunk_m, tree.habit.needles, tree.habit.evergreen, tree.is_shrub,
+          tree.odd_sizes, tree.outlines);
 }
 
 template <class Archive, class Ready, class Prepared>

@@ -166,8 +166,9 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
            "What stands for the model's vegetation. `trees`: each SolitaryVegetationObject that is "
            "1 m high or more is a tree as those of the map are, in the season of `[ground] "
            "trees`, as large as its attributes say, else as its surfaces are; a tree of the map "
-           "within 4 m of it is left out. Other vegetation, such as PlantCover, is the surfaces "
-           "that the model has. `surfaces`: all of it is, and no light passes them. `none`: "
+           "within 4 m of it is left out. A PlantCover that is 3 m high or more is a wood, with a "
+           "tree in each square of 7 m. Other vegetation is the surfaces that the model has. "
+           "`surfaces`: all of it is, and no light passes them. `none`: "
            "there is none."),
        texts_key(
            "licence", city.licences, "\"Geoportal Berlin, dl-de/by-2-0\"",

@@ -108,6 +108,10 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "a crossing's way (`footway=crossing` and the like), along 4 m, with slopes of 6 % "
                 "behind (DIN 18040-3). `kerb=raised` leaves the kerb, `flush` and `no` take it "
                 "away. In the middle of junctions there are none."),
+       flag_key("rounded_corners", ground.rounded_corners,
+                "With `streets`: kerbs go round the corners of junctions in arcs, of 6 m between "
+                "main roads and 4 m elsewhere, and so do the outer edges of pavements. Arms that "
+                "meet at less than 45 degrees have an island between them and none."),
        flag_key(
            "parking", ground.parking,
            "With `streets`: where cars park along them, as `parking:left`, `right`, `both` or "

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/bake/report/report_text.h"
+#include "tools/bake/scene/cover_ground.h"
 
 namespace nightcity::bake {
 
@@ -39,6 +40,7 @@ void add_all(const std::map<std::string, Number>& from, std::map<std::string, Nu
 
 void CoverReport::add(const ground_cover::Cover& cover) {
   areas += cover.areas().size();
+  rounded_corners += cover.rounded_corners;
   lowered_kerbs += cover.lowered_kerbs;
   add_all(cover.markings, markings);
   add_all(cover.left_out, left_out);
@@ -77,6 +79,7 @@ nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles)
           {"bare_m2", std::round(10 * tiles.bare_m2) / 10},
           {"triangles_added", tiles.cover_triangles},
           {"tiles_left_bare", tiles.uncovered_tiles},
+          {"rounded_corners", report.rounded_corners},
           {"lowered_kerbs", report.lowered_kerbs},
           {"markings", report.markings},
           {"tracks_m", to_json(report.tracks_m)},
@@ -96,6 +99,8 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
   if (!report.parking_m.empty())
     text += report_line("", "parking lanes, in m: " + amounts_in_words(report.parking_m));
   if (!report.markings.empty()) text += report_line("", "painted: " + in_words(report.markings));
+  if (report.rounded_corners > 0)
+    text += report_line("", fmt::format("{} corners of junctions rounded", report.rounded_corners));
   if (report.lowered_kerbs > 0)
     text += report_line("", fmt::format("kerbs lowered at {} crossings", report.lowered_kerbs));
   if (!report.assumed.empty()) text += report_line("", "assumed: " + in_words(report.assumed));
@@ -104,7 +109,8 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
     text += report_line("", "left out, in m: " + amounts_in_words(report.left_out_m));
   if (tiles.uncovered_tiles > 0)
     text += report_line(
-        "", fmt::format("{} tiles bare: their outlines cross too often", tiles.uncovered_tiles));
+        "", fmt::format("{} tiles bare: their outlines cross more than {} times a point",
+                        tiles.uncovered_tiles, max_outline_crossings));
   return text;
 }
 

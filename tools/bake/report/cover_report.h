@@ -13,6 +13,7 @@ namespace nightcity::bake {
 
 struct CoverReport {
   std::size_t areas = 0;                        // of the map that lie on the ground
+  std::size_t rounded_corners = 0;              // of carriageways
   std::size_t lowered_kerbs = 0;                // crossings where kerbs come down
   std::map<std::string, std::size_t> markings;  // by what they are
   std::map<std::string, std::size_t> left_out;  // by reason

@@ -124,7 +124,7 @@ class Coverer {
   void cover_cut(const std::vector<Stored>& cut) {
     const std::vector<mesh::PlaneLayer> layers{part_.areas, part_.markings, find_facets(cut),
                                                part_.ramps};
-    const mesh::PlanePartition plan = mesh::partition(layers);
+    const mesh::PlanePartition plan = mesh::partition(layers, max_outline_crossings);
     const GroundHeights heights(cut);
     heights_.assign(plan.points.size(), std::nan(""));
     lowering_m_.assign(plan.points.size(), std::nan(""));
@@ -218,17 +218,34 @@ class Coverer {
   // Adds a kerb between two pieces of which one lies deeper: the other ends there, and the kerb
   // faces the deeper one.
   void add_kerbs(const mesh::PlanePartition& plan) {
-    const auto key = [](const Edge& e) { return std::minmax(e.a, e.b); };
-    std::stable_sort(edges_.begin(), edges_.end(),
-                     [&](const Edge& a, const Edge& b) { return key(a) < key(b); });
-    for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
-      const Edge &first = edges_[i], &second = edges_[i + 1];
-      if (key(first) != key(second)) continue;
+    const std::vector<std::pair<std::uint64_t, std::uint32_t>> order = sort_edges(plan);
+    for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+      if (order[i].first != order[i + 1].first) continue;
+      const Edge &first = edges_[order[i].second], &second = edges_[order[i + 1].second];
       if (first.sum_m() > second.sum_m())
         add_kerb(plan, first, second);
       else if (first.sum_m() < second.sum_m())
         add_kerb(plan, second, first);
     }
+  }
+
+  // Returns the numbers of the edges that a kerb may stand on, with keys that the two sides of an
+  // edge share, in order: those that touch what lies deeper than the ground.
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> sort_edges(
+      const mesh::PlanePartition& plan) const {
+    std::vector<bool> is_deep(plan.points.size());
+    for (const Edge& edge : edges_) {
+      if (edge.a_depth_m > 0) is_deep[edge.a] = true;
+      if (edge.b_depth_m > 0) is_deep[edge.b] = true;
+    }
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+      const auto [least, greatest] = std::minmax(edges_[i].a, edges_[i].b);
+      if (is_deep[least] || is_deep[greatest])
+        order.emplace_back(std::uint64_t{least} << 32 | greatest, i);
+    }
+    std::sort(order.begin(), order.end());
+    return order;
   }
 
   void add_kerb(const mesh::PlanePartition& plan, const Edge& low, const Edge& high) {

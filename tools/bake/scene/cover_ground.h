@@ -12,6 +12,10 @@
 
 namespace nightcity::bake {
 
+/// Outlines that cross more often than so many times a point leave their tile bare: an arrangement
+/// costs what its crossings do. Those of six real maps cross once a point at most in any tile.
+constexpr std::size_t max_outline_crossings = 8;
+
 struct CoverCounts {
   /// In plan, m2.
   std::array<double, ground_cover::ground_kind_count> area_m2{};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace nightcity::bake {
@@ -32,7 +33,7 @@ class FacetFinder {
             std::lower_bound(points_.begin(), points_.end(), triangles[t].corners[k], is_before) -
             points_.begin());
       for (std::size_t k = 0; k < 3; ++k)
-        triangle_of_.emplace(std::pair(corners_[t][k], corners_[t][(k + 1) % 3]), t);
+        triangle_of_.emplace(to_key(corners_[t][k], corners_[t][(k + 1) % 3]), t);
     }
   }
 
@@ -49,6 +50,10 @@ class FacetFinder {
   }
 
  private:
+  static std::uint64_t to_key(std::uint32_t from, std::uint32_t to) {
+    return std::uint64_t{from} << 32 | to;
+  }
+
   glm::vec3 normal_of(std::uint32_t t) const {
     const glm::vec3* c = triangles_[t].corners;
     return glm::cross(c[1] - c[0], c[2] - c[0]);
@@ -73,7 +78,7 @@ class FacetFinder {
     for (std::size_t n = 0; n < facet.size(); ++n)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto& c = corners_[facet[n]];
-        const auto next = triangle_of_.find({c[(k + 1) % 3], c[k]});
+        const auto next = triangle_of_.find(to_key(c[(k + 1) % 3], c[k]));
         if (next == triangle_of_.end() || !joins(next->second)) continue;
         facet_of_[next->second] = seed;
         facet.push_back(next->second);
@@ -111,8 +116,8 @@ class FacetFinder {
   const std::vector<Stored>& triangles_;
   std::vector<glm::vec3> points_;  // in order, each once
   std::vector<std::array<std::uint32_t, 3>> corners_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> triangle_of_;  // by an edge
-  std::vector<std::uint32_t> facet_of_;                                           // its seed
+  std::unordered_map<std::uint64_t, std::uint32_t> triangle_of_;  // by an edge
+  std::vector<std::uint32_t> facet_of_;                           // its seed
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "tools/bake/city/tile_grid.h"
+#include "tools/trees/model_tree.h"
 
 namespace nightcity::bake {
 namespace {
@@ -62,6 +63,19 @@ class Welder {
 
 }  // namespace
 
+namespace {
+
+// Returns what plants of the model are like that are surfaces: by their height, which is that of
+// grass or of scrub (assumptions); unknown heights are those of forests.
+MaterialCode find_plant_material(const city::CityObject& object) {
+  const auto height = object.plant ? object.plant->height_m : std::nullopt;
+  if (!height || *height >= trees::min_wood_m) return to_code(BakeMaterial::vegetation);
+  return to_code(*height < trees::min_tree_m ? ground_cover::GroundKind::grass
+                                             : ground_cover::GroundKind::scrub);
+}
+
+}  // namespace
+
 std::vector<TileStore::Triangle> make_tile_triangles(const mesh::TriangleMesh& mesh,
                                                      const city::CityObject& object,
                                                      bool leave_out_ground) {
@@ -72,7 +86,8 @@ std::vector<TileStore::Triangle> make_tile_triangles(const mesh::TriangleMesh& m
     const SurfaceUse use = find_use(object.type, triangle.surface);
     TileStore::Triangle& made = triangles.emplace_back();
     for (int k = 0; k < 3; ++k) made.corners[k] = mesh.positions[triangle.vertex[k]];
-    made.material = to_code(use.material);
+    made.material = use.material == BakeMaterial::vegetation ? find_plant_material(object)
+                                                             : to_code(use.material);
     made.kind = use.kind;
     if (triangle.polygon < object.polygons.size())
       if (const auto& colour = object.polygons[triangle.polygon].diffuse_colour)

@@ -36,6 +36,17 @@ class TreeModels {
   TreeModels(SceneWriter& writer, const Georeference& georeference)
       : writer_(writer), georeference_(georeference) {}
 
+  // Adds a feature for each of `trees` that is one of the model's.
+  void add_features(std::span<const trees::Tree> trees, std::span<const trees::ModelTree> model) {
+    features_.assign(model.size(), no_id);
+    for (const trees::Tree& tree : trees) {
+      if (!tree.of_model || features_[*tree.of_model] != no_id) continue;
+      const trees::ModelTree& own = model[*tree.of_model];
+      features_[*tree.of_model] =
+          writer_.add_feature({own.id, own.class_name, own.function, own.height_m, std::nullopt});
+    }
+  }
+
   void add_trunks(std::span<const trees::Tree> trees) {
     const SceneMaterial bark = named(ground_cover::GroundKind::soil, "bark");
     const auto mesh = writer_.add_mesh({"trunk", {make_prism(1, 6, writer_.add_material(bark))}});
@@ -86,24 +97,31 @@ class TreeModels {
       SceneNode node{name, "tree", mesh, true, {}};
       for (const trees::Tree& tree :
            trees.subspan(first, std::min(trees_in_node, trees.size() - first)))
-        node.instances.push_back({place(tree), no_id});
+        node.instances.push_back({place(tree), no_id, {}, find_feature(tree)});
       writer_.add_node(node);
     }
   }
 
+  std::uint32_t find_feature(const trees::Tree& tree) const {
+    return tree.of_model ? features_[*tree.of_model] : no_id;
+  }
+
   SceneWriter& writer_;
   const Georeference& georeference_;
+  std::vector<std::uint32_t> features_;  // of the model's trees
 };
 
 }  // namespace
 
-void add_tree_models(SceneWriter& writer, std::span<const trees::Tree> trees, trees::Season season,
+void add_tree_models(SceneWriter& writer, std::span<const trees::Tree> trees,
+                     std::span<const trees::ModelTree> model, trees::Season season,
                      const Georeference& georeference) {
   if (trees.empty() || season == trees::Season::none) return;
   std::vector<trees::Tree> green, bare;
   for (const trees::Tree& tree : trees)
     (season == trees::Season::summer || tree.evergreen ? green : bare).push_back(tree);
   TreeModels models(writer, georeference);
+  models.add_features(trees, model);
   models.add_trunks(trees);
   models.add_crowns(green, true);
   models.add_crowns(bare, false);
