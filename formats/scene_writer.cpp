@@ -75,8 +75,9 @@ struct SceneWriter::State {
   gltf::Stream stream;
   PrimitiveWriter primitives;
   FeatureTableWriter features;
-  JsonArray materials, meshes, nodes, punctual;
+  JsonArray materials, meshes, nodes, punctual, images, samplers, textures;
   std::map<std::string, std::size_t> known_punctual;  // equal lights share a description
+  std::map<std::string, std::size_t> known_samplers, known_textures;
   bool finished = false;
 
   State(std::filesystem::path target, Options options)
@@ -88,7 +89,10 @@ struct SceneWriter::State {
         materials(path),
         meshes(path),
         nodes(path),
-        punctual(path) {}
+        punctual(path),
+        images(path),
+        samplers(path),
+        textures(path) {}
 
   [[noreturn]] void fail(const std::string& place, const std::string& message) const {
     throw Error(path.string(), place, message);
@@ -98,6 +102,7 @@ struct SceneWriter::State {
   std::vector<Trs> find_placements(const SceneNode& node) const;
   json write_instances(const SceneNode& node, const std::vector<Trs>& placements);
   std::size_t write_light_description(const ScenePunctual& light);
+  json describe_texture(const SceneTexture& texture, const std::string& place);
   json write_features();
   void write_root(JsonText& text, const json& asset, const json& feature_table);
 };
@@ -114,17 +119,50 @@ const SceneWriter::Statistics& SceneWriter::statistics() const {
   return state_->statistics;
 }
 
+std::uint32_t SceneWriter::add_picture(std::span<const std::byte> bytes) {
+  State& s = *state_;
+  if (bytes.empty()) s.fail("image " + std::to_string(s.images.count()), "is empty");
+  const bool is_png = bytes[0] == std::byte{0x89};
+  const std::size_t view = s.stream.write_view(bytes);
+  return static_cast<std::uint32_t>(
+      s.images.add({{"bufferView", view}, {"mimeType", is_png ? "image/png" : "image/jpeg"}}));
+}
+
+// Returns the textureInfo; equal textures and samplers are written once.
+json SceneWriter::State::describe_texture(const SceneTexture& texture, const std::string& place) {
+  if (texture.picture >= images.count())
+    fail(place, "picture " + std::to_string(texture.picture) + " is not there");
+  const auto add = [](std::map<std::string, std::size_t>& known, JsonArray& array,
+                      const json& description) {
+    const auto [at, is_new] = known.try_emplace(description.dump(), array.count());
+    if (is_new) array.add(description);
+    return at->second;
+  };
+  const std::size_t sampler = add(known_samplers, samplers,
+                                  {{"magFilter", gltf::linear},
+                                   {"minFilter", gltf::linear_mipmap_linear},
+                                   {"wrapS", gltf::to_wrap(texture.wrap_u)},
+                                   {"wrapT", gltf::to_wrap(texture.wrap_v)}});
+  return {{"index",
+           add(known_textures, textures, {{"sampler", sampler}, {"source", texture.picture}})}};
+}
+
 std::uint32_t SceneWriter::add_material(const SceneMaterial& material) {
   State& s = *state_;
   const glm::vec3 emission = material.emission_cd_m2;
   if (!finite(material.base_colour) || !finite(emission) || !std::isfinite(material.roughness) ||
       min_of(emission) < 0)
     s.fail("material " + material.name, "a value is negative or not finite");
-  const glm::dvec3 colour = glm::clamp(glm::dvec3(material.base_colour), 0.0, 1.0);
+  const glm::vec3 factor = material.texture ? material.texture->factor : material.base_colour;
+  if (!finite(factor)) s.fail("material " + material.name, "a factor is not finite");
+  const glm::dvec3 colour = glm::clamp(glm::dvec3(factor), 0.0, 1.0);
   json result = {{"pbrMetallicRoughness",
                   {{"baseColorFactor", {colour.x, colour.y, colour.z, 1.0}},
                    {"metallicFactor", 0.0},
                    {"roughnessFactor", std::clamp(material.roughness, 0.0f, 1.0f)}}}};
+  if (material.texture)
+    result["pbrMetallicRoughness"]["baseColorTexture"] =
+        s.describe_texture(*material.texture, "material " + material.name);
   if (!material.name.empty()) result["name"] = material.name;
   if (material.double_sided) result["doubleSided"] = true;
   if (const float strength = max_of(emission); strength > 0) {
@@ -309,6 +347,9 @@ void SceneWriter::State::write_root(JsonText& text, const json& asset, const jso
   add_array("nodes", nodes);
   add_array("meshes", meshes);
   add_array("materials", materials);
+  add_array("textures", textures);
+  add_array("images", images);
+  add_array("samplers", samplers);
   add_array("accessors", stream.accessors);
   add_array("bufferViews", stream.views);
   if (stream.binary.size() != 0)

@@ -1,9 +1,11 @@
 // Writes city.glb: glTF 2.0 with the extras that SPEC.md describes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "formats/scene.h"
 
@@ -37,6 +39,9 @@ class SceneWriter {
   SceneWriter& operator=(const SceneWriter&) = delete;
 
   // Each returns the index by which later calls refer to what was added.
+  /// A PNG or JPEG, which the file then holds.
+  std::uint32_t add_picture(std::span<const std::byte> bytes);
+  /// The picture of its texture must have been added before.
   std::uint32_t add_material(const SceneMaterial& material);
   std::uint32_t add_feature(const SceneFeature& feature);
   /// Materials and features that the mesh refers to must have been added before.
