@@ -28,6 +28,7 @@ constexpr const char* draco = "KHR_draco_mesh_compression";
 constexpr const char* emissive_strength = "KHR_materials_emissive_strength";
 constexpr const char* gpu_instancing = "EXT_mesh_gpu_instancing";
 constexpr const char* lights_punctual = "KHR_lights_punctual";
+constexpr const char* lights_ies = "EXT_lights_ies";
 constexpr const char* mesh_features = "EXT_mesh_features";
 constexpr const char* structural_metadata = "EXT_structural_metadata";
 

@@ -75,7 +75,7 @@ struct SceneWriter::State {
   gltf::Stream stream;
   PrimitiveWriter primitives;
   FeatureTableWriter features;
-  JsonArray materials, meshes, nodes, punctual, images, samplers, textures;
+  JsonArray materials, meshes, nodes, punctual, ies, images, samplers, textures;
   std::map<std::string, std::size_t> known_punctual;  // equal lights share a description
   std::map<std::string, std::size_t> known_samplers, known_textures;
   bool finished = false;
@@ -90,6 +90,7 @@ struct SceneWriter::State {
         meshes(path),
         nodes(path),
         punctual(path),
+        ies(path),
         images(path),
         samplers(path),
         textures(path) {}
@@ -306,6 +307,36 @@ std::size_t SceneWriter::State::write_light_description(const ScenePunctual& lig
   return known->second;
 }
 
+std::uint32_t SceneWriter::add_ies_profile(std::string_view text) {
+  State& s = *state_;
+  const std::size_t view = s.stream.write_view(std::span<const char>(text));
+  return static_cast<std::uint32_t>(
+      s.ies.add({{"bufferView", view}, {"mimeType", "application/x-ies-lm-63"}}));
+}
+
+void SceneWriter::add_ies_light(const SceneIesLight& light) {
+  State& s = *state_;
+  const std::string place = "light " + std::to_string(s.nodes.count());
+  if (light.profile >= s.ies.count()) s.fail(place, "its profile is not there");
+  const double strongest = max_of(light.colour);
+  if (!finite(light.position) || !finite(light.axis) || !finite(light.tangent) ||
+      !finite(light.colour) || min_of(light.colour) < 0 || !(strongest > 0) ||
+      !std::isfinite(light.multiplier) || !(light.multiplier > 0))
+    s.fail(place, "a value is not finite or not positive");
+  // The extension aims a light along -z, and has C = 0 towards x.
+  const glm::dvec3 x = glm::normalize(glm::dvec3(light.tangent)),
+                   z = -glm::normalize(glm::dvec3(light.axis));
+  const glm::dquat rotation(glm::dmat3(x, glm::cross(z, x), z));
+  s.nodes.add({{"translation", gltf::to_json(light.position)},
+               {"rotation", to_json(glm::normalize(rotation))},
+               {"extensions",
+                {{gltf::lights_ies,
+                  {{"light", light.profile},
+                   {"multiplier", light.multiplier * strongest},
+                   {"color", gltf::to_json(glm::dvec3(light.colour) / strongest)}}}}}});
+  s.stream.extensions_used.insert(gltf::lights_ies);
+}
+
 void SceneWriter::finish(const Georeference& georeference, const ScenePlaces& places) {
   State& s = *state_;
   if (s.finished) s.fail("", "finish() was called before");
@@ -354,12 +385,17 @@ void SceneWriter::State::write_root(JsonText& text, const json& asset, const jso
   add_array("bufferViews", stream.views);
   if (stream.binary.size() != 0)
     root.add("buffers", json::array({{{"byteLength", stream.binary.size()}}}));
-  if (!feature_table.is_null() || punctual.count() != 0) {
+  if (!feature_table.is_null() || punctual.count() != 0 || ies.count() != 0) {
     JsonObject extensions = root.add_object("extensions");
     if (!feature_table.is_null()) extensions.add(gltf::structural_metadata, feature_table);
     if (punctual.count() != 0) {
       JsonObject lights = extensions.add_object(gltf::lights_punctual);
       lights.add("lights", punctual);
+      lights.end();
+    }
+    if (ies.count() != 0) {
+      JsonObject lights = extensions.add_object(gltf::lights_ies);
+      lights.add("lights", ies);
       lights.end();
     }
     extensions.end();
