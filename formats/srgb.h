@@ -17,15 +17,18 @@ inline double srgb_from_linear(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-/// The same for values of a byte.
-inline double linear_from_srgb8(std::uint8_t srgb) {
+/// Returns the same for all values of a byte.
+inline const std::array<double, 256>& list_linear_of_srgb8() {
   static const auto table = [] {
     std::array<double, 256> values;
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = linear_from_srgb(static_cast<double>(i) / 255);
     return values;
   }();
-  return table[srgb];
+  return table;
+}
+inline double linear_from_srgb8(std::uint8_t srgb) {
+  return list_linear_of_srgb8()[srgb];
 }
 /// Rounds to the nearest; NaN becomes 0.
 inline std::uint8_t srgb8_from_linear(double linear) {

@@ -41,12 +41,35 @@ std::array<std::uint8_t, 3> find_mean(const Picture& picture, const Side& x, con
                          py = wrap(y.first + row * y.step + j * y.step / ny, picture.height());
       const auto* pixel =
           picture.pixels().data() + 4 * static_cast<std::size_t>(py * picture.width() + px);
-      if (nx * ny == 1) return {pixel[0], pixel[1], pixel[2]};
       for (std::size_t c = 0; c < 3; ++c) sum[c] += linear_from_srgb8(pixel[c]);
     }
   for (std::size_t c = 0; c < 3; ++c)
     mean[c] = srgb8_from_linear(sum[c] / static_cast<double>(nx * ny));
   return mean;
+}
+
+// Fills the part's rows where each of its pixels is one of the picture's, as most are.
+void copy_rows(const Picture& picture, const Side& x, const Side& y, SurfacePicture& part) {
+  std::vector<std::size_t> columns;  // bytes from the beginning of a row
+  for (std::int64_t column = 0; column < x.count; ++column)
+    columns.push_back(4 * static_cast<std::size_t>(wrap(x.first + column, picture.width())));
+  const unsigned char* const pixels = picture.pixels().data();
+  std::uint8_t* to = part.rgb.data();
+  for (std::int64_t row = 0; row < y.count; ++row) {
+    const unsigned char* const from =
+        pixels +
+        4 * static_cast<std::size_t>(wrap(y.first + row, picture.height()) * picture.width());
+    for (const std::size_t column : columns) to = std::copy_n(from + column, 3, to);
+  }
+}
+
+void average_rows(const Picture& picture, const Side& x, const Side& y, SurfacePicture& part) {
+  std::uint8_t* to = part.rgb.data();
+  for (std::int64_t row = 0; row < y.count; ++row)
+    for (std::int64_t column = 0; column < x.count; ++column) {
+      const auto mean = find_mean(picture, x, y, column, row);
+      to = std::copy(mean.begin(), mean.end(), to);
+    }
 }
 
 }  // namespace
@@ -71,11 +94,11 @@ std::shared_ptr<const SurfacePicture> cut_picture(const Picture& picture,
   const auto part = std::make_shared<SurfacePicture>();
   part->width = static_cast<int>(x.count);
   part->height = static_cast<int>(y.count);
-  part->rgb.reserve(static_cast<std::size_t>(3 * x.count * y.count));
-  for (std::int64_t row = 0; row < y.count; ++row)
-    for (std::int64_t column = 0; column < x.count; ++column)
-      for (const std::uint8_t value : find_mean(picture, x, y, column, row))
-        part->rgb.push_back(value);
+  part->rgb.resize(static_cast<std::size_t>(3 * x.count * y.count));
+  if (x.step == 1 && y.step == 1)
+    copy_rows(picture, x, y, *part);
+  else
+    average_rows(picture, x, y, *part);
   for (const glm::dvec2& p : places)
     part->places.push_back((to_pixels(p) - glm::dvec2(x.first, y.first)) /
                            glm::dvec2(x.step, y.step));

@@ -53,6 +53,7 @@ struct Image {
 Image resize(const city::SurfacePicture& from, int width, int height) {
   Image to{width, height, {}};
   to.texels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const std::array<double, 256>& linear = list_linear_of_srgb8();
   const auto range = [](int i, int count, int size) {
     const int first = static_cast<int>(std::int64_t{i} * size / count);
     const int end = static_cast<int>((std::int64_t{i + 1} * size + count - 1) / count);
@@ -63,11 +64,12 @@ Image resize(const city::SurfacePicture& from, int width, int height) {
       const auto [left, right] = range(x, width, from.width);
       const auto [top, bottom] = range(y, height, from.height);
       Texel sum{};
-      for (int j = top; j < bottom; ++j)
-        for (int i = left; i < right; ++i)
-          for (std::size_t c = 0; c < 3; ++c)
-            sum[c] +=
-                linear_from_srgb8(from.rgb[3 * static_cast<std::size_t>(j * from.width + i) + c]);
+      for (int j = top; j < bottom; ++j) {
+        const std::uint8_t* pixel =
+            from.rgb.data() + 3 * static_cast<std::size_t>(j * from.width + left);
+        for (int i = left; i < right; ++i, pixel += 3)
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += linear[pixel[c]];
+      }
       for (double& channel : sum) channel /= (right - left) * (bottom - top);
       to.texels.push_back(sum);
     }
