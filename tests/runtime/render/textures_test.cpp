@@ -90,7 +90,9 @@ TEST_P(TexturesByEveryEstimator, AChequerReflectsEachOfItsTwoColours) {
     const double d2 = glm::dot(to, to);
     const double expected = reflectance(colour) / std::numbers::pi * flux / (4 * std::numbers::pi) *
                             (to.y / std::sqrt(d2)) / d2;
-    if (!noisy) ASSERT_NEAR(luminance(image, i), expected, 0.01 * expected) << "pixel " << i;
+    if (!noisy) {
+      ASSERT_NEAR(luminance(image, i), expected, 0.01 * expected) << "pixel " << i;
+    }
     sum[light] += luminance(image, i);
     expected_sum[light] += expected;
     ++count[light];

@@ -135,7 +135,9 @@ TEST(Exports, ALuminaireFileHoldsTheProfile) {
                                          double(extent) * g / (rows - 1)),
                     1000 * double(data[2 + c * rows + g]), 1e-3)
             << planes << " planes, " << c << ", " << g;
-    if (extent < 180) EXPECT_EQ(lights::intensity_at(read.grid, 0, double(extent) + 0.01), 0);
+    if (extent < 180) {
+      EXPECT_EQ(lights::intensity_at(read.grid, 0, double(extent) + 0.01), 0);
+    }
   }
 }
 
