@@ -16,6 +16,14 @@ using gltf::Json;
 using gltf::member;
 using gltf::numbers;
 
+constexpr std::size_t max_coordinate_set = 1000;  // files have two or three
+
+TextureWrap to_wrap(std::optional<std::size_t> number) {
+  return number == gltf::wrap_clamp    ? TextureWrap::clamp
+         : number == gltf::wrap_mirror ? TextureWrap::mirror
+                                       : TextureWrap::repeat;
+}
+
 bool in_range(const glm::vec3& value) {
   return finite(value) && value.x >= 0 && value.y >= 0 && value.z >= 0;
 }
@@ -42,9 +50,9 @@ SceneMaterial MaterialReader::read(std::size_t index) {
   const glm::dvec3 light = glm::dvec3(emission[0], emission[1], emission[2]) * strength;
   SceneMaterial result;
   result.name = gltf::text(source, "name");
-  result.base_colour =
-      glm::dvec3(colour[0], colour[1], colour[2]) *
-      find_mean(member(model, older ? "diffuseTexture" : "baseColorTexture"), transparent);
+  const glm::dvec3 factor(colour[0], colour[1], colour[2]);
+  const Json& picture = member(model, older ? "diffuseTexture" : "baseColorTexture");
+  result.base_colour = factor * find_mean(picture, transparent);
   // A material that does not shine needs no look at its picture.
   const Json none;
   result.emission_cd_m2 =
@@ -52,6 +60,11 @@ SceneMaterial MaterialReader::read(std::size_t index) {
   result.roughness = static_cast<float>(older ? 1 - gltf::number(specular, "glossinessFactor", 1)
                                               : gltf::number(surface, "roughnessFactor", 1));
   result.double_sided = gltf::boolean(source, "doubleSided", false);
+  // What shines or is cut out has its colour by other rules, which the mean keeps.
+  if (!transparent && light == glm::dvec3(0) && in_range(factor)) {
+    result.texture = find_texture(picture);
+    if (result.texture) result.texture->factor = factor;
+  }
   count_other_textures(source);
   for (const glm::vec3& value :
        {result.base_colour, result.emission_cd_m2, glm::vec3(result.roughness)})
@@ -92,12 +105,47 @@ glm::dvec3 MaterialReader::find_mean(const Json& info, bool use_alpha) {
   return glm::dvec3(1);
 }
 
-glm::dvec3 MaterialReader::read_mean(std::size_t image, bool use_alpha) {
+std::optional<SceneTexture> MaterialReader::find_texture(const Json& info) {
+  const auto index = gltf::index(info, "index");
+  if (!index || extension(info, gltf::texture_transform).is_object()) return {};
+  if (*index >= document_.count("textures")) return {};
+  const Json& texture = document_.element("textures", *index);
+  const auto image = gltf::index(texture, "source");
+  if (!image) return {};
+  const auto mean = means_.find({*image, false});
+  if (mean == means_.end() || !mean->second) return {};
+  const auto coordinates = gltf::index(info, "texCoord").value_or(0);
+  if (coordinates > max_coordinate_set) return {};
+  const auto [at, is_new] =
+      picture_of_image_.try_emplace(*image, static_cast<std::uint32_t>(pictures_.size()));
+  if (is_new) {
+    const auto bytes = find_bytes(*image);
+    pictures_.emplace_back(bytes.begin(), bytes.end());
+  }
+  SceneTexture result{.picture = at->second};
+  result.coordinates = static_cast<std::uint32_t>(coordinates);
+  if (const auto sampler = gltf::index(texture, "sampler");
+      sampler && *sampler < document_.count("samplers")) {
+    const Json& source = document_.element("samplers", *sampler);
+    result.wrap_u = to_wrap(gltf::index(source, "wrapS"));
+    result.wrap_v = to_wrap(gltf::index(source, "wrapT"));
+  }
+  --averaged_;
+  return result;
+}
+
+std::span<const std::byte> MaterialReader::find_bytes(std::size_t image) {
   const Json& source = document_.element("images", image);
   const std::string uri = gltf::text(source, "uri");
   const auto view = gltf::index(source, "bufferView");
   if (uri.empty() && !view) throw Error("", "image " + std::to_string(image), "names no picture");
-  const auto bytes = uri.empty() ? accessors_.view(*view) : document_.file(uri);
+  return uri.empty() ? accessors_.view(*view) : document_.file(uri);
+}
+
+glm::dvec3 MaterialReader::read_mean(std::size_t image, bool use_alpha) {
+  const Json& source = document_.element("images", image);
+  const std::string uri = gltf::text(source, "uri");
+  const auto bytes = find_bytes(image);
   if (!budget_.take(bytes))
     throw Error("", "image " + std::to_string(image),
                 std::string("is not unpacked: ") + picture_budget_text);

@@ -1,7 +1,6 @@
 #include "formats/picture_mean.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -9,6 +8,8 @@
 #include <limits>
 #include <memory>
 #include <utility>
+
+#include "formats/srgb.h"
 
 // Only the two formats of glTF 2.0 (section 3.9.1); the other decoders would only be a risk.
 #define STB_IMAGE_IMPLEMENTATION
@@ -29,12 +30,6 @@
 
 namespace nightcity {
 namespace {
-
-// IEC 61966-2-1.
-double linear_from_srgb(std::uint8_t value) {
-  const double v = value / 255.0;
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
 
 // Returns whether every Huffman table of a JPEG (ITU-T T.81, B.2.4.2) has at most 256 codes. Of
 // more stb_image 2.27, Debian's, writes the lengths behind the end of their array. Wherever
@@ -82,13 +77,7 @@ bool has_sound_data(std::span<const std::byte> png) {
 }
 
 glm::dvec3 to_linear(const stbi_uc* pixel) {
-  static const auto linear = [] {
-    std::array<double, 256> table;
-    for (std::size_t i = 0; i < table.size(); ++i)
-      table[i] = linear_from_srgb(static_cast<std::uint8_t>(i));
-    return table;
-  }();
-  return {linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]};
+  return {linear_from_srgb8(pixel[0]), linear_from_srgb8(pixel[1]), linear_from_srgb8(pixel[2])};
 }
 
 // The pixels along one side that lie between two texture coordinates: the first, and their number.

@@ -24,6 +24,12 @@ class Picture {
   static std::optional<Picture> read(std::span<const std::byte> bytes,
                                      std::int64_t max_pixels = max_picture_pixels);
 
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Returns the rows from above, four bytes a pixel: red, green and blue (sRGB), and alpha.
+  std::span<const unsigned char> pixels() const {
+    return {pixels_.get(), 4 * static_cast<std::size_t>(count_pixels())};
+  }
   std::int64_t count_pixels() const { return std::int64_t{width_} * height_; }
   /// Returns the mean as find_picture_mean does.
   std::optional<glm::dvec3> find_mean(bool use_alpha) const;

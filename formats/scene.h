@@ -1,8 +1,10 @@
 // The content of a city.glb: what SceneWriter writes and read_scene returns.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -16,12 +18,28 @@ namespace nightcity {
 
 constexpr std::uint32_t no_id = 0xFFFFFFFFu;  // no feature, no light, no vehicle
 
+/// A picture as it lies in the file: a PNG or JPEG, sRGB.
+using ScenePicture = std::vector<std::byte>;
+
+/// How a picture goes on beyond its edges.
+enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
+
+/// A picture on the surfaces of a material, by their vertices' texture coordinates.
+struct SceneTexture {
+  std::uint32_t picture = 0;  // index into Scene::pictures
+  glm::vec3 factor{1};        // each texel times it is the reflectance
+  TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+  std::uint32_t coordinates = 0;  // the set of the file (TEXCOORD_n); written as set 0
+  bool operator==(const SceneTexture&) const = default;
+};
+
 struct SceneMaterial {
   std::string name;
-  glm::vec3 base_colour{0.5f};     // reflectance, linear Rec. 709
+  glm::vec3 base_colour{0.5f};     // reflectance, linear Rec. 709; the mean under a texture
   glm::vec3 emission_cd_m2{0.0f};  // emitted luminance of each channel
   float roughness = 1.0f;
   bool double_sided = true;
+  std::optional<SceneTexture> texture{};
 };
 
 /// Triangles of one material.
@@ -36,6 +54,9 @@ struct ScenePrimitive {
   // The material of each triangle, where vertices have colours of their own (COLOR_0 in files of
   // others); otherwise empty, and `material` is that of all triangles. Not written.
   std::vector<std::uint32_t> triangle_materials;
+  // One for each vertex, or empty: its place in the material's picture, from the upper left corner,
+  // 1 being the picture's width and height.
+  std::vector<glm::vec2> texture_coordinates{};
 };
 
 struct SceneMesh {
@@ -100,6 +121,7 @@ struct ScenePunctual {
 struct Scene {
   Georeference georeference;
   std::vector<SceneMaterial> materials;
+  std::vector<ScenePicture> pictures{};
   std::vector<SceneMesh> meshes;
   std::vector<SceneNode> nodes;
   std::vector<SceneFeature> features;

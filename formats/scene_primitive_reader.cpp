@@ -114,6 +114,32 @@ std::optional<ScenePrimitive> PrimitiveReader::read(const Json& source,
   return primitive;
 }
 
+std::vector<glm::vec2> PrimitiveReader::read_texture_coordinates(const Json& source,
+                                                                 std::uint32_t set,
+                                                                 std::size_t vertices) const {
+  const std::string name = gltf::texture_attribute(set);
+  std::vector<float> values;
+  if (const Json& draco = extension(source, gltf::draco); draco.is_object()) {
+    const auto id = gltf::index(member(draco, "attributes"), name.c_str());
+    const auto view = gltf::index(draco, "bufferView");
+    if (!id || !view) return {};
+    const std::vector<DracoAttribute> wanted{{static_cast<std::uint32_t>(*id), 2}};
+    values = std::move(decode_draco(accessors_.view(*view), wanted).attributes[0]);
+  } else if (const auto accessor = gltf::index(member(source, "attributes"), name.c_str())) {
+    values = accessors_.floats(*accessor, 2);
+  } else {
+    return {};
+  }
+  if (values.size() != 2 * vertices) throw Error("", name, "differs in length from POSITION");
+  std::vector<glm::vec2> coordinates(vertices);
+  for (std::size_t i = 0; i < vertices; ++i) coordinates[i] = {values[2 * i], values[2 * i + 1]};
+  const auto is_finite = [](const glm::vec2& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+  };
+  if (!std::all_of(coordinates.begin(), coordinates.end(), is_finite)) return {};
+  return coordinates;
+}
+
 std::optional<MappedPrimitive> PrimitiveReader::find(
     const Json& source, const std::vector<FeatureRange>& tables) const {
   const Json& attributes = member(source, "attributes");

@@ -41,6 +41,11 @@ class PrimitiveReader {
                                      const std::vector<FeatureRange>& tables,
                                      std::vector<glm::vec3>& colours) const;
 
+  /// Returns the texture coordinates of a set (TEXCOORD_n), one for each of so many vertices; none
+  /// where the primitive has none or one of them is not finite. Throws Error as read() does.
+  std::vector<glm::vec2> read_texture_coordinates(const gltf::Json& source, std::uint32_t set,
+                                                  std::size_t vertices) const;
+
   /// Returns the same triangles where they lie in the file, without their material; nothing where
   /// they are no plain list: strips, compressed or sparse values, colours of vertices. read() must
   /// have accepted the primitive.

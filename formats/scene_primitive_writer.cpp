@@ -73,7 +73,7 @@ json PrimitiveWriter::write(const ScenePrimitive& primitive, const Limits& limit
   const auto feature_ids = to_float_ids(primitive.feature_ids, gltf::null_feature_id);
   const auto light_ids = to_float_ids(primitive.light_ids, gltf::null_light);
   std::optional<DracoEncoded> encoded;
-  if (draco_tolerance_m_ && !is_wide(primitive))
+  if (draco_tolerance_m_ && !is_wide(primitive) && primitive.texture_coordinates.empty())
     encoded = encode_draco(primitive, feature_ids, light_ids, *draco_tolerance_m_);
   json result = encoded ? write_draco(*encoded) : write_plain(primitive, feature_ids, light_ids);
   result["material"] = primitive.material;
@@ -105,6 +105,10 @@ void PrimitiveWriter::check(const ScenePrimitive& primitive, const Limits& limit
       fail("position is not finite");
   for (const auto* ids : {&primitive.feature_ids, &primitive.light_ids})
     if (!ids->empty() && ids->size() != vertices) fail("ids do not match the vertices");
+  if (!primitive.texture_coordinates.empty() && primitive.texture_coordinates.size() != vertices)
+    fail("texture coordinates do not match the vertices");
+  for (const glm::vec2& p : primitive.texture_coordinates)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) fail("texture coordinate is not finite");
   for (const std::uint32_t id : primitive.feature_ids)
     if (id != no_id && id >= limits.features)
       fail("feature " + std::to_string(id) + " is not there");
@@ -132,6 +136,10 @@ json PrimitiveWriter::write_plain(const ScenePrimitive& primitive,
   };
   add_ids(gltf::feature_attribute, feature_ids);
   add_ids(gltf::light_attribute, light_ids);
+  if (!primitive.texture_coordinates.empty())
+    attributes[gltf::texture_attribute(0)] = stream_.add_accessor(
+        make_accessor(gltf::float32, "VEC2", count),
+        stream_.write_view(std::span(primitive.texture_coordinates), gltf::array_buffer));
   return {{"attributes", attributes}, {"indices", write_indices(primitive.indices, count)}};
 }
 

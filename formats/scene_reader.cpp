@@ -63,6 +63,10 @@ class Reader {
     if (std::exchange(complete_, true)) return;
     add_coloured_materials();
     scene_.skipped = describe_skipped(document_, find_asset_extras(document_).is_object());
+    if (const std::size_t count = untextured_)
+      scene_.skipped.push_back(std::to_string(count) +
+                               (count == 1 ? " primitive has" : " primitives have") +
+                               " a texture and no texture coordinates: the mean colour is shown");
     for (auto* sentences : {&material_sentences_, &colour_sentences_, &place_sentences_})
       scene_.skipped.insert(scene_.skipped.end(), sentences->begin(), sentences->end());
   }
@@ -87,6 +91,7 @@ class Reader {
   std::size_t material_count_ = 0;  // of the file
   VertexColours colours_;
   std::atomic<bool> uses_default_ = false;
+  std::atomic<std::size_t> untextured_ = 0;  // primitives without the coordinates for their texture
   bool complete_ = false;
   std::vector<std::string> material_sentences_, colour_sentences_, place_sentences_;
 };
@@ -104,6 +109,7 @@ void Reader::read_features() {
 void Reader::read_materials() {
   material_count_ = document_.count("materials");
   for (std::size_t i = 0; i < material_count_; ++i) scene_.materials.push_back(materials_.read(i));
+  scene_.pictures = materials_.take_pictures();
   material_sentences_ = materials_.describe_skipped();
   // glTF's default: white, single-sided.
   scene_.materials.push_back({.name = "", .base_colour = glm::vec3(1), .double_sided = false});
@@ -142,8 +148,15 @@ SceneMesh Reader::read_mesh(std::size_t index, MappedMesh* mapped) {
       primitive->material = find_material(primitives.at(p));
       colours_.apply(*primitive, colours, material_count_ + 1);
       if (primitive->indices.empty()) continue;
+      if (const auto& texture = scene_.materials[primitive->material].texture) {
+        primitive->texture_coordinates = primitives_.read_texture_coordinates(
+            primitives.at(p), texture->coordinates, primitive->positions.size());
+        untextured_ += primitive->texture_coordinates.empty();
+      }
       if (mapped) {
-        mapped->push_back(primitives_.find(primitives.at(p), tables_));
+        mapped->push_back(primitive->texture_coordinates.empty()
+                              ? primitives_.find(primitives.at(p), tables_)
+                              : std::nullopt);
         if (mapped->back()) mapped->back()->material = primitive->material;
       }
       mesh.primitives.push_back(std::move(*primitive));

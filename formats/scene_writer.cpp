@@ -75,8 +75,9 @@ struct SceneWriter::State {
   gltf::Stream stream;
   PrimitiveWriter primitives;
   FeatureTableWriter features;
-  JsonArray materials, meshes, nodes, punctual;
+  JsonArray materials, meshes, nodes, punctual, ies, images, samplers, textures;
   std::map<std::string, std::size_t> known_punctual;  // equal lights share a description
+  std::map<std::string, std::size_t> known_samplers, known_textures;
   bool finished = false;
 
   State(std::filesystem::path target, Options options)
@@ -88,7 +89,11 @@ struct SceneWriter::State {
         materials(path),
         meshes(path),
         nodes(path),
-        punctual(path) {}
+        punctual(path),
+        ies(path),
+        images(path),
+        samplers(path),
+        textures(path) {}
 
   [[noreturn]] void fail(const std::string& place, const std::string& message) const {
     throw Error(path.string(), place, message);
@@ -98,6 +103,7 @@ struct SceneWriter::State {
   std::vector<Trs> find_placements(const SceneNode& node) const;
   json write_instances(const SceneNode& node, const std::vector<Trs>& placements);
   std::size_t write_light_description(const ScenePunctual& light);
+  json describe_texture(const SceneTexture& texture, const std::string& place);
   json write_features();
   void write_root(JsonText& text, const json& asset, const json& feature_table);
 };
@@ -114,17 +120,50 @@ const SceneWriter::Statistics& SceneWriter::statistics() const {
   return state_->statistics;
 }
 
+std::uint32_t SceneWriter::add_picture(std::span<const std::byte> bytes) {
+  State& s = *state_;
+  if (bytes.empty()) s.fail("image " + std::to_string(s.images.count()), "is empty");
+  const bool is_png = bytes[0] == std::byte{0x89};
+  const std::size_t view = s.stream.write_view(bytes);
+  return static_cast<std::uint32_t>(
+      s.images.add({{"bufferView", view}, {"mimeType", is_png ? "image/png" : "image/jpeg"}}));
+}
+
+// Returns the textureInfo; equal textures and samplers are written once.
+json SceneWriter::State::describe_texture(const SceneTexture& texture, const std::string& place) {
+  if (texture.picture >= images.count())
+    fail(place, "picture " + std::to_string(texture.picture) + " is not there");
+  const auto add = [](std::map<std::string, std::size_t>& known, JsonArray& array,
+                      const json& description) {
+    const auto [at, is_new] = known.try_emplace(description.dump(), array.count());
+    if (is_new) array.add(description);
+    return at->second;
+  };
+  const std::size_t sampler = add(known_samplers, samplers,
+                                  {{"magFilter", gltf::linear},
+                                   {"minFilter", gltf::linear_mipmap_linear},
+                                   {"wrapS", gltf::to_wrap(texture.wrap_u)},
+                                   {"wrapT", gltf::to_wrap(texture.wrap_v)}});
+  return {{"index",
+           add(known_textures, textures, {{"sampler", sampler}, {"source", texture.picture}})}};
+}
+
 std::uint32_t SceneWriter::add_material(const SceneMaterial& material) {
   State& s = *state_;
   const glm::vec3 emission = material.emission_cd_m2;
   if (!finite(material.base_colour) || !finite(emission) || !std::isfinite(material.roughness) ||
       min_of(emission) < 0)
     s.fail("material " + material.name, "a value is negative or not finite");
-  const glm::dvec3 colour = glm::clamp(glm::dvec3(material.base_colour), 0.0, 1.0);
+  const glm::vec3 factor = material.texture ? material.texture->factor : material.base_colour;
+  if (!finite(factor)) s.fail("material " + material.name, "a factor is not finite");
+  const glm::dvec3 colour = glm::clamp(glm::dvec3(factor), 0.0, 1.0);
   json result = {{"pbrMetallicRoughness",
                   {{"baseColorFactor", {colour.x, colour.y, colour.z, 1.0}},
                    {"metallicFactor", 0.0},
                    {"roughnessFactor", std::clamp(material.roughness, 0.0f, 1.0f)}}}};
+  if (material.texture)
+    result["pbrMetallicRoughness"]["baseColorTexture"] =
+        s.describe_texture(*material.texture, "material " + material.name);
   if (!material.name.empty()) result["name"] = material.name;
   if (material.double_sided) result["doubleSided"] = true;
   if (const float strength = max_of(emission); strength > 0) {
@@ -280,6 +319,36 @@ std::size_t SceneWriter::State::write_light_description(const ScenePunctual& lig
   return known->second;
 }
 
+std::uint32_t SceneWriter::add_ies_profile(std::string_view text) {
+  State& s = *state_;
+  const std::size_t view = s.stream.write_view(std::span<const char>(text));
+  return static_cast<std::uint32_t>(
+      s.ies.add({{"bufferView", view}, {"mimeType", "application/x-ies-lm-63"}}));
+}
+
+void SceneWriter::add_ies_light(const SceneIesLight& light) {
+  State& s = *state_;
+  const std::string place = "light " + std::to_string(s.nodes.count());
+  if (light.profile >= s.ies.count()) s.fail(place, "its profile is not there");
+  const double strongest = max_of(light.colour);
+  if (!finite(light.position) || !finite(light.axis) || !finite(light.tangent) ||
+      !finite(light.colour) || min_of(light.colour) < 0 || !(strongest > 0) ||
+      !std::isfinite(light.multiplier) || !(light.multiplier > 0))
+    s.fail(place, "a value is not finite or not positive");
+  // The extension aims a light along -z, and has C = 0 towards x.
+  const glm::dvec3 x = glm::normalize(glm::dvec3(light.tangent)),
+                   z = -glm::normalize(glm::dvec3(light.axis));
+  const glm::dquat rotation(glm::dmat3(x, glm::cross(z, x), z));
+  s.nodes.add({{"translation", gltf::to_json(light.position)},
+               {"rotation", to_json(glm::normalize(rotation))},
+               {"extensions",
+                {{gltf::lights_ies,
+                  {{"light", light.profile},
+                   {"multiplier", light.multiplier * strongest},
+                   {"color", gltf::to_json(glm::dvec3(light.colour) / strongest)}}}}}});
+  s.stream.extensions_used.insert(gltf::lights_ies);
+}
+
 void SceneWriter::finish(const Georeference& georeference, const ScenePlaces& places) {
   State& s = *state_;
   if (s.finished) s.fail("", "finish() was called before");
@@ -321,16 +390,24 @@ void SceneWriter::State::write_root(JsonText& text, const json& asset, const jso
   add_array("nodes", nodes);
   add_array("meshes", meshes);
   add_array("materials", materials);
+  add_array("textures", textures);
+  add_array("images", images);
+  add_array("samplers", samplers);
   add_array("accessors", stream.accessors);
   add_array("bufferViews", stream.views);
   if (stream.binary.size() != 0)
     root.add("buffers", json::array({{{"byteLength", stream.binary.size()}}}));
-  if (!feature_table.is_null() || punctual.count() != 0) {
+  if (!feature_table.is_null() || punctual.count() != 0 || ies.count() != 0) {
     JsonObject extensions = root.add_object("extensions");
     if (!feature_table.is_null()) extensions.add(gltf::structural_metadata, feature_table);
     if (punctual.count() != 0) {
       JsonObject lights = extensions.add_object(gltf::lights_punctual);
       lights.add("lights", punctual);
+      lights.end();
+    }
+    if (ies.count() != 0) {
+      JsonObject lights = extensions.add_object(gltf::lights_ies);
+      lights.add("lights", ies);
       lights.end();
     }
     extensions.end();

@@ -26,7 +26,7 @@ const std::set<std::string>& known_extensions() {
                                            gltf::specular_glossiness,
                                            "KHR_materials_unlit",
                                            "KHR_mesh_quantization",
-                                           "KHR_texture_transform",
+                                           gltf::texture_transform,
                                            "KHR_xmp_json_ld"};
   return names;
 }

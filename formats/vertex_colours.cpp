@@ -1,16 +1,15 @@
 #include "formats/vertex_colours.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "formats/srgb.h"
 
 namespace nightcity {
 namespace {
 
-// Returns the level of a channel, 0 to 63, in sRGB (IEC 61966-2-1), whose steps look alike.
+// Returns the level of a channel, 0 to 63, in sRGB, whose steps look alike.
 std::uint64_t level_of(double linear) {
-  const double srgb =
-      linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-  return static_cast<std::uint64_t>(std::clamp(srgb, 0.0, 1.0) * 63 + 0.5);
+  return static_cast<std::uint64_t>(std::clamp(srgb_from_linear(linear), 0.0, 1.0) * 63 + 0.5);
 }
 
 }  // namespace
@@ -41,6 +40,7 @@ std::vector<SceneMaterial> VertexColours::materials(
   made.reserve(bins_.size());
   for (const Bin& bin : bins_) {
     made.push_back(of_file[bin.base]);
+    made.back().texture.reset();  // a triangle has one colour
     made.back().base_colour *= glm::vec3(bin.sum / static_cast<double>(bin.triangles));
   }
   return made;

@@ -27,6 +27,7 @@ layout(constant_id = CONSTANT_COUNT_RAYS) const uint COUNT_RAYS = 0u;
 layout(constant_id = CONSTANT_INDIRECT) const uint INDIRECT = INDIRECT_NONE;
 layout(constant_id = CONSTANT_AIR) const uint AIR = AIR_CLEAR;
 layout(constant_id = CONSTANT_PROJECTION) const uint PROJECTION = PROJECTION_PERSPECTIVE;
+layout(constant_id = CONSTANT_TEXTURES) const uint HAS_TEXTURES = 0u;
 layout(constant_id = CONSTANT_GLARE) const uint GLARE = 0u;
 layout(constant_id = CONSTANT_WHITE) const uint WHITE = 0u;
 layout(constant_id = CONSTANT_MESOPIC) const uint MESOPIC = 0u;
@@ -77,3 +78,5 @@ float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 
 bool finite(float x) { return abs(x) <= 3.0e38; }  // false for NaN too
 bool all_finite(vec3 v) { return finite(v.x) && finite(v.y) && finite(v.z); }
+
+#include "shaders/materials.glsl"

@@ -5,5 +5,5 @@
 // Returns a surface's albedo, bounded below so that dividing by it does not blow up what little
 // light there is.
 vec3 albedo_of(Surface surface) {
-  return max(SCENE.materials.at[surface.material].base_colour, vec3(0.01));
+  return max(base_colour_of(surface.material), vec3(0.01));
 }

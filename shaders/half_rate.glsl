@@ -56,7 +56,7 @@ const ivec2 BESIDE[4] = ivec2[](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0,
 
 // Returns the reflectance by which filling divides and multiplies, bounded below.
 vec3 filling_reflectance(Surface surface) {
-  return max(SCENE.materials.at[surface.material].base_colour, vec3(1e-3));
+  return max(base_colour_of(surface.material), vec3(1e-3));
 }
 
 // Returns whether a surface may take the light of the other, which lies beside it: both lie in one
@@ -70,15 +70,14 @@ bool may_fill(Surface surface, Surface other) {
       abs(other.depth - surface.depth) > 0.2 * surface.depth)
     return false;
   if (surface.material == other.material) return true;
-  const Material there = SCENE.materials.at[other.material];
-  return HAS_GLOSS == 0u && all(equal(there.emission, vec3(0.0))) &&
-         all(greaterThanEqual(there.base_colour, vec3(0.01)));
+  return HAS_GLOSS == 0u && all(equal(emission_of(other.material), vec3(0.0))) &&
+         all(greaterThanEqual(base_colour_of(other.material), vec3(0.01)));
 }
 
 // Returns whether a pixel that this frame does not sample has to be sampled all the same.
 bool must_be_sampled(uvec2 pixel, Surface surface) {
   if (surface.depth <= 0.0 || surface.light != NO_HIT ||
-      any(greaterThan(SCENE.materials.at[surface.material].emission, vec3(0.0))))
+      any(greaterThan(emission_of(surface.material), vec3(0.0))))
     return true;
   for (uint i = 0u; i < 4u; ++i) {
     const ivec2 at = ivec2(pixel) + BESIDE[i];

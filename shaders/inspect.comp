@@ -36,7 +36,7 @@ vec3 colour_of(float value) {
 float lux_of(uint index, vec3 reflected) {
   const Surface surface = FRAME.surfaces.at[index];
   if (surface.depth <= 0.0) return 0.0;
-  const vec3 albedo = SCENE.materials.at[surface.material].base_colour;
+  const vec3 albedo = base_colour_of(surface.material);
   return luminance(mix(vec3(0.0), PI * reflected / max(albedo, vec3(1e-6)),
                        greaterThan(albedo, vec3(0.0))));
 }

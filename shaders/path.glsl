@@ -59,7 +59,7 @@ vec3 unsampled_emission(Surface surface, Hit hit) {
       HAS_TRAFFIC != 0u && (SCENE.instances.at[hit.instance].mask & MASK_VEHICLE) != 0u;
   return of_vehicle || surface.light < SCENE.light_count
              ? vec3(0.0)
-             : SCENE.materials.at[surface.material].emission;
+             : emission_of(surface.material);
 }
 
 // Returns the light that a receiver reflects straight from the light sources: an unbiased estimate
@@ -115,7 +115,7 @@ vec3 reflected_from_lit_surface(Receiver r, float film_share, float film_alpha, 
   }
   if (!(target > 0.0)) return vec3(0.0);
   Hit hit;
-  const Surface surface = first_surface(ray.origin, ray.direction, MASK_SHADOW, hit);
+  const Surface surface = first_surface(ray.origin, ray.direction, MASK_SHADOW, WIDE_SPREAD, hit);
   if (surface.depth <= 0.0) return vec3(0.0);
   Receiver lit = next_receiver(r, surface, 0.0, film_alpha);
   const vec3 way = lit.position - r.position;
@@ -150,7 +150,7 @@ vec3 reflected_bounces(Receiver r, float film_share, float choice, vec2 u, float
     // The first bounce is worth its rays even off a dark surface.
     if (bounce == 1u ? !(luminance(throughput) > 0.0) : !survives(throughput)) break;
     Hit hit;
-    const Surface surface = first_surface(r.origin, s.direction, MASK_SHADOW, hit);
+    const Surface surface = first_surface(r.origin, s.direction, MASK_SHADOW, WIDE_SPREAD, hit);
     if (surface.depth <= 0.0) break;
     throughput *= transmittance(r.position, surface.position);
     r = next_receiver(r, surface, s.density, film_alpha);

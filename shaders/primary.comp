@@ -15,7 +15,8 @@ void main() {
 
   Hit hit;
   Surface surface =
-      first_surface(FRAME.camera.position, camera_direction(pixel), MASK_VISIBLE, hit);
+      first_surface(FRAME.camera.position, camera_direction(pixel), MASK_VISIBLE, pixel_spread(),
+                    hit);
   if (HAS_TRAFFIC != 0u && surface.depth > 0.0) {
     const Instance instance = SCENE.instances.at[hit.instance];
     if ((instance.mask & MASK_VEHICLE) != 0u) {

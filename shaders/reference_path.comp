@@ -38,7 +38,7 @@ Receiver move_on(inout PathVertex vertex, Receiver r, uvec2 pixel, out Hit hit) 
   const bool goes_on = push.count <= 2u ? luminance(vertex.throughput) > 0.0
                                         : survives(vertex.throughput);
   if (!goes_on) return r;
-  vertex.surface = first_surface(r.origin, next.direction, MASK_SHADOW, hit);
+  vertex.surface = first_surface(r.origin, next.direction, MASK_SHADOW, WIDE_SPREAD, hit);
   vertex.viewer = r.origin;
   vertex.throughput *= transmittance(r.position, vertex.surface.position);
   return vertex.surface.depth > 0.0 ? next_receiver(r, vertex.surface, next.density, WET_ALPHA) : r;

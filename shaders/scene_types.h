@@ -18,7 +18,34 @@ struct Material {
   vec3 base_colour;  // linear Rec. 709 reflectance
   float roughness;
   vec3 emission;  // cd/m^2 per channel
-  uint flags;
+  uint texture;   // 1 + index of its texture; 0 = none
+};
+
+// A surface under a texture keeps its reflectance, and not its material, in the word that says
+// which material it is of: this bit, and 10 bits a channel (materials.glsl). Such surfaces neither
+// shine nor mirror.
+#define MATERIAL_IS_COLOUR 0x80000000u
+// The steps of a channel, in sRGB's transfer function: four to each of a picture's, so that those
+// are kept exactly.
+#define COLOUR_STEPS 1020
+
+#define TEXTURE_LEVELS 3u  // baked pictures have room for so many around their parts (SPEC.md)
+
+#define WRAP_REPEAT 0u
+#define WRAP_CLAMP 1u
+#define WRAP_MIRROR 2u
+
+// A picture and its smaller levels, each half as wide and high, from `first` on.
+struct Texture {
+  uint first;  // word of its upper left texel; a texel is red, green and blue from the low bits on
+  uint width, height, levels;
+  vec3 factor;
+  uint wrap;  // WRAP_* in u, and in v from bit 2 on
+};
+
+// The texture coordinates of a triangle's corners; not a number where it has none.
+struct TextureCorners {
+  vec2 a, b, c;
 };
 
 // Entry of an alias table, which samples lights by flux (Walker 1977; Vose 1991).
@@ -76,11 +103,14 @@ struct LightNode {
 #define MAX_VEHICLE_CELLS_PER_SIDE 256u
 
 #ifdef __cplusplus
+static_assert(sizeof(Texture) == 32 && sizeof(TextureCorners) == 24);
 static_assert(sizeof(Material) == 32 && sizeof(VehicleBody) == 32 && sizeof(LightNode) == 32);
 }  // namespace nightcity::gpu
 #endif
 
 ARRAY_REFERENCE_16(Materials, Material, readonly)
+ARRAY_REFERENCE_16(Textures, Texture, readonly)
+ARRAY_REFERENCE(CornersOfTriangles, TextureCorners, readonly)
 ARRAY_REFERENCE_16(Lights, Light, readonly)
 ARRAY_REFERENCE_16(Profiles, LightProfile, readonly)
 ARRAY_REFERENCE(Floats, float, readonly)
@@ -148,6 +178,11 @@ struct SceneBuffers {
   BUFFER(Triangles) triangles;
   BUFFER(Instances) instances;
   BUFFER(Materials) materials;
+  // Where there are textures.
+  BUFFER(Textures) textures;
+  BUFFER(Words) texels;
+  BUFFER(CornersOfTriangles) texture_corners;  // parallel to triangles
+  BUFFER(Floats) linear_of_step;               // of 0 .. COLOUR_STEPS, linear light
   BUFFER(Lights) lights;
   BUFFER(Profiles) profiles;
   BUFFER(Floats) profile_data;

@@ -41,7 +41,7 @@ Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   r.position = surface.position;
   r.normal = unpack_normal(surface.normal, surface.clearance_and_rest);
   r.origin = surface.position + r.normal * clearance_of(surface);
-  r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
+  r.reflectance = base_colour_of(surface.material) * (1.0 / PI);
   r.to_viewer = r.normal;
   r.wetness = 0.0;
   r.film_alpha = WET_ALPHA;
@@ -49,7 +49,7 @@ Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   r.path_density = ONLY_PATH;
   if (HAS_GLOSS != 0u) {
     // Rain and water stay where a surface faces up. What is below water is not darkened by rain.
-    const bool water = SCENE.materials.at[surface.material].roughness < WATER_ROUGHNESS;
+    const bool water = roughness_of(surface.material) < WATER_ROUGHNESS;
     const float facing = smoothstep(0.7, 0.95, r.normal.y);
     r.wetness = (water ? 1.0 : FRAME.wetness) * facing;
     r.to_viewer = normalize(viewer - surface.position);
@@ -131,7 +131,7 @@ float estimator_target(Receiver r, uint light, uint uv) {
 
 // Returns the light that a surface emits towards the camera, cd/m^2 per channel.
 vec3 emitted(Surface surface) {
-  const vec3 own = SCENE.materials.at[surface.material].emission;
+  const vec3 own = emission_of(surface.material);
   if (surface.light >= SCENE.light_count || luminance(own) <= 0.0) return own;
   // A light's emitting surface shows the light's own luminance, so that what is seen is what lights
   // the street.

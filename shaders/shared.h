@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 namespace nightcity::gpu {
+using vec2 = glm::vec2;
 using vec4 = glm::vec4;
 using uvec2 = glm::uvec2;
 }  // namespace nightcity::gpu

@@ -16,11 +16,12 @@
 #define CONSTANT_INDIRECT 10         // INDIRECT_*
 #define CONSTANT_AIR 11              // AIR_*
 #define CONSTANT_PROJECTION 12       // PROJECTION_*
+#define CONSTANT_TEXTURES 13         // pictures lie on some surfaces
 // The display alone has these (runtime/render/display.h).
-#define CONSTANT_GLARE 13    // the eye scatters light
-#define CONSTANT_WHITE 14    // the eye or the camera is adapted to a white
-#define CONSTANT_MESOPIC 15  // rods see in dim places
-#define CONSTANT_COUNT 16
+#define CONSTANT_GLARE 14    // the eye scatters light
+#define CONSTANT_WHITE 15    // the eye or the camera is adapted to a white
+#define CONSTANT_MESOPIC 16  // rods see in dim places
+#define CONSTANT_COUNT 17
 
 // Values of CONSTANT_INDIRECT: how light that bounced is found.
 #define INDIRECT_NONE 0u   // it is left out

@@ -4,7 +4,7 @@ struct SurfaceHit {
   vec3 position;   // on the triangle's plane, model space, m
   float clearance; // distance off the surface at which rays that leave it start, m
   vec3 normal;     // unit, model space, on the side the ray came from
-  uint material;
+  uint material;   // MATERIAL_IS_COLOUR
   uint feature;    // of the triangle, or NO_HIT
   uint light;      // of the triangle, or NO_HIT
 };
@@ -14,8 +14,35 @@ vec3 to_object_space(Instance instance, vec3 p) {
               dot(instance.to_object[2], vec4(p, 1.0)));
 }
 
-// Returns the surface that a ray hit.
-SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction) {
+// The spread of rays that are not the camera's: they take the mean of a texture around a place,
+// so that it does not matter from where a path comes there.
+const float WIDE_SPREAD = 1e6;
+
+// Returns the word of a surface's material (materials.glsl): its number, or the reflectance where a
+// texture lies on it, over a footprint of that diameter, m. a, b, c and `local` are in the frame of
+// the mesh, n is the cross product of two edges.
+uint material_at(uint material, uint triangle, vec3 a, vec3 b, vec3 c, vec3 n, vec3 local,
+                 float footprint) {
+  if (HAS_TEXTURES == 0u) return material;
+  const uint number = SCENE.materials.at[material].texture;
+  if (number == 0u) return material;
+  const TextureCorners corners = SCENE.texture_corners.at[triangle];
+  const float area2 = dot(n, n);
+  const float along_b = dot(cross(local - a, c - a), n) / area2,
+              along_c = dot(cross(b - a, local - a), n) / area2;
+  const vec2 to_b = corners.b - corners.a, to_c = corners.c - corners.a;
+  const vec2 place = corners.a + along_b * to_b + along_c * to_c;
+  if (!(dot(place, place) < 1e12)) return material;
+  const Texture picture = SCENE.textures.at[number - 1u];
+  // Texels to a metre, from the areas of the triangle in the picture and in the mesh.
+  const float texels2 = abs(to_b.x * to_c.y - to_b.y * to_c.x) * float(picture.width) *
+                        float(picture.height) * inversesqrt(area2);
+  const float level = 0.5 * log2(max(texels2 * footprint * footprint, 1.0)) + 0.5;
+  return pack_colour(texture_colour(picture, place, min(uint(level), picture.levels - 1u)));
+}
+
+// Returns the surface that a ray hit. `spread` is the ray's width over its length.
+SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction, float spread) {
   const vec4 a = SCENE.triangles.at[hit.triangle * 3u];
   const vec4 b = SCENE.triangles.at[hit.triangle * 3u + 1u];
   const vec4 c = SCENE.triangles.at[hit.triangle * 3u + 2u];
@@ -43,20 +70,24 @@ SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction) {
   const float extent2 = max(dot(from_a, from_a), max(dot(from_b, from_b), dot(from_c, from_c)));
   // The instance's scale along the normal: |n| / |to_object^T n|.
   const float scale = size2 > 0.0 ? length(n) * inversesqrt(size2) : 1.0;
+  // A surface that is seen at a slant shows more of itself: the mean of both diameters.
+  const float footprint = spread * hit.t * inversesqrt(max(abs(dot(unit, direction)), 0.01));
   return SurfaceHit(position, clearance_of(position, sqrt(extent2) * scale),
-                    dot(unit, direction) > 0.0 ? -unit : unit, floatBitsToUint(a.w),
+                    dot(unit, direction) > 0.0 ? -unit : unit,
+                    material_at(floatBitsToUint(a.w), hit.triangle, a.xyz, b.xyz, c.xyz, n, local,
+                                footprint),
                     floatBitsToUint(b.w), floatBitsToUint(c.w));
 }
 
 const Surface NO_SURFACE = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0), 0u);
 
 // Returns the first surface along unit `direction` that shares a bit with `mask`, its `motion` 0;
-// depth 0 where there is none. `hit` is its triangle and instance.
-Surface first_surface(vec3 origin, vec3 direction, uint mask, out Hit hit) {
+// depth 0 where there is none. `hit` is its triangle and instance. `spread` as surface_at's.
+Surface first_surface(vec3 origin, vec3 direction, uint mask, float spread, out Hit hit) {
   Surface surface = NO_SURFACE;
   if (!closest_hit(origin, direction, mask, hit)) return surface;
   const Instance instance = SCENE.instances.at[hit.instance];
-  const SurfaceHit seen = surface_at(hit, instance, origin, direction);
+  const SurfaceHit seen = surface_at(hit, instance, origin, direction, spread);
   surface.position = seen.position;
   surface.normal = pack_normal(seen.normal);
   surface.clearance_and_rest =

@@ -49,8 +49,8 @@ void main() {
         break;
       }
       const SurfaceHit surface =
-          surface_at(hit, SCENE.instances.at[hit.instance], origin, direction);
-      colour *= SCENE.materials.at[surface.material].base_colour;
+          surface_at(hit, SCENE.instances.at[hit.instance], origin, direction, WIDE_SPREAD);
+      colour *= base_colour_of(surface.material);
       // The first bounce is worth its ray even off a dark surface.
       if (bounce > 0u && !survives(colour)) break;
       origin = surface.position + surface.normal * surface.clearance;

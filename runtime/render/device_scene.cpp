@@ -5,6 +5,7 @@
 
 #include "formats/error.h"
 #include "formats/parallel.h"
+#include "formats/srgb.h"
 
 namespace nightcity::render {
 namespace {
@@ -20,7 +21,8 @@ void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
   };
   const std::uint64_t needed = bytes_of(scene.triangles) + bytes_of(scene.nodes) +
                                bytes_of(scene.instances) + bytes_of(scene.lights) +
-                               scene.lights.size() * sizeof(gpu::AliasEntry),
+                               scene.lights.size() * sizeof(gpu::AliasEntry) +
+                               bytes_of(scene.texels),
                       free = device.free_memory();
   if (needed > free)
     throw Error("scene", "needs at least " + std::to_string(needed) +
@@ -75,6 +77,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
     return material < scene.materials.size() &&
            scene.materials[material].roughness < WATER_ROUGHNESS;
   });
+  if (!scene.textures.empty()) store_textures(scene);
   store_geometry(scene, released);
   addresses_.materials = store(std::span(scene.materials));
   addresses_.profiles = store(std::span(scene.profiles));
@@ -107,12 +110,39 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
   has_edited_lights_ = scene.has_edited_lights;
 }
 
+glm::vec3 DeviceScene::albedo(std::uint32_t material) const {
+  if (!has_textures() || (material & MATERIAL_IS_COLOUR) == 0)
+    return material < albedos_.size() ? albedos_[material] : glm::vec3(0);
+  const auto channel = [material](int shift) {
+    return static_cast<float>(linear_from_srgb((material >> shift & 1023u) / double{COLOUR_STEPS}));
+  };
+  return {channel(0), channel(10), channel(20)};
+}
+
+void DeviceScene::store_textures(const scene::RenderScene& scene) {
+  addresses_.textures = store(std::span(scene.textures));
+  addresses_.texels = store(std::span<const std::uint32_t>(scene.texels));
+  std::vector<float> linear(1024);  // what 10 bits can hold
+  for (std::size_t i = 0; i < linear.size(); ++i)
+    linear[i] = static_cast<float>(linear_from_srgb(double(i) / COLOUR_STEPS));
+  addresses_.linear_of_step = store(std::span<const float>(linear));
+  gpu::Buffer corners(device_, scene.triangles.size() * sizeof(gpu::TextureCorners));
+  corners.make_first<gpu::TextureCorners>(
+      scene.triangles.size(), [&](std::span<gpu::TextureCorners> to, std::size_t first) {
+        for (std::size_t i = 0; i < to.size(); ++i)
+          to[i] = scene.triangles.texture_corners(scene.triangle_order[first + i]);
+      });
+  storage_.push_back(std::move(corners));
+  addresses_.texture_corners = storage_.back().address();
+}
+
 void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {
   storage_.push_back(upload_triangles(device_, scene));
   addresses_.triangles = storage_.back().address();
   if (released) {
     free_memory_of(released->triangles);
     free_memory_of(released->triangle_order);
+    free_memory_of(released->texels);
   }
   addresses_.root = scene.root;
   addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());

@@ -64,15 +64,14 @@ class DeviceScene {
   bool has_rectangles() const { return has_rectangles_; }
   /// Returns whether a surface is as smooth as water.
   bool has_water() const { return has_water_; }
+  bool has_textures() const { return addresses_.textures != 0; }
   bool has_traffic() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
   /// Returns what the map of a city's glow has become with the lights that shine now: as bright and
   /// of the colour that they make it, in the distribution that it was made with.
   const SkyNow& sky_now() const { return sky_now_; }
-  /// Returns the base colour of a material, black for an unknown one.
-  glm::vec3 albedo(std::uint32_t material) const {
-    return material < albedos_.size() ? albedos_[material] : glm::vec3(0);
-  }
+  /// Returns the base colour of a surface by the word of its material: black for an unknown one.
+  glm::vec3 albedo(std::uint32_t material) const;
   /// Returns the bounds of the visible static geometry, relative to origin().
   const scene::Box& bounds() const { return bounds_; }
   /// Returns the place in model space, m, that all coordinates on the device are relative to.
@@ -92,6 +91,7 @@ class DeviceScene {
 
  private:
   DeviceScene(gpu::Device& device, const scene::RenderScene& scene, scene::RenderScene* released);
+  void store_textures(const scene::RenderScene& scene);
   void store_geometry(const scene::RenderScene& scene, scene::RenderScene* released);
   template <class T>
   std::uint64_t store(std::span<const T> values);

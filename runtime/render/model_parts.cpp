@@ -33,6 +33,7 @@ const std::vector<ModelPart>& list_model_parts() {
       {"trees", "no trees", Part::trees},
       {"vehicle-shadows", "vehicles that cast no shadow", Part::vehicle_shadows},
       {"colours", "one grey for all surfaces, the mean of their reflectances", Part::colours},
+      {"textures", "no pictures on surfaces: the mean of each", Part::textures},
       {"water", "water without mirror images", Part::water},
       {.name = "wet",
        .help = "dry streets",

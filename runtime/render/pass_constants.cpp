@@ -29,6 +29,7 @@ PassConstants find_constants(const RenderSettings& settings, const DeviceScene& 
   constants[CONSTANT_AIR] = !has_air(settings)          ? AIR_CLEAR
                             : settings.air.height_m > 0 ? AIR_LAYERED
                                                         : AIR_EVEN;
+  constants[CONSTANT_TEXTURES] = scene.has_textures();
   constants[CONSTANT_PROJECTION] = settings.projection;
   for (const Feature& feature : optional_features())
     if ((settings.forced_features >> feature.constant & 1u) != 0 &&

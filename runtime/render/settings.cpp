@@ -152,7 +152,8 @@ const std::vector<Feature>& optional_features() {
                                              {CONSTANT_SKY, "sky"},
                                              {CONSTANT_GLOSS, "wet streets"},
                                              {CONSTANT_INDIRECT, "bounces"},
-                                             {CONSTANT_AIR, "air"}};
+                                             {CONSTANT_AIR, "air"},
+                                             {CONSTANT_TEXTURES, "textures"}};
   return features;
 }
 

@@ -21,6 +21,7 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
   VehiclePasses vehicle_passes(device, scene);
   PassConstants constants{};
   constants[CONSTANT_PROFILES] = scene.has_profiles();
+  constants[CONSTANT_TEXTURES] = scene.has_textures();
   constants[CONSTANT_RECTANGLES] = scene.has_rectangles();
   constants[CONSTANT_SCHEDULES] = scene.has_switches();
   constants[CONSTANT_TRAFFIC] = scene.has_traffic();

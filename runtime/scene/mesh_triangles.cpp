@@ -20,8 +20,15 @@ std::size_t count_triangles(const SceneMesh& mesh) {
   return count;
 }
 
+gpu::TextureCorners find_corners(const ScenePrimitive& primitive, std::size_t first_index) {
+  const auto at = [&](std::size_t k) {
+    return primitive.texture_coordinates[primitive.indices[first_index + k]];
+  };
+  return {at(0), at(1), at(2)};
+}
+
 // Calls `take` with the triangles of a primitive that have an area, lie within reach and whose
-// light is not left out. Returns the number of those without area or beyond reach.
+// light is not left out, and where their indices begin. Returns the number of those without area or beyond reach.
 template <class Take>
 std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
                     std::span<const std::uint32_t> light_numbers, std::vector<glm::vec3>& positions,
@@ -50,7 +57,7 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
     t.light = placement.light;
     if (t.light == NO_HIT && !primitive.light_ids.empty())
       t.light = find_light(primitive.light_ids[a], light_numbers);
-    if (t.light != left_out_light) take(t);
+    if (t.light != left_out_light) take(t, i);
   }
   return dropped;
 }
@@ -58,7 +65,8 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
 // The triangles of a mesh: each primitive's in the file, or else stored.
 struct Converted {
   MappedMesh mapped;
-  std::vector<std::vector<gpu::Triangle>> stored;  // parallel to `mapped`
+  std::vector<std::vector<gpu::Triangle>> stored;         // parallel to `mapped`
+  std::vector<std::vector<gpu::TextureCorners>> corners;  // parallel to `stored`, or empty there
   std::size_t dropped = 0;
 
   void append_to(TriangleList& out, const glm::dmat4& to_scene) const {
@@ -66,7 +74,7 @@ struct Converted {
       if (mapped[i])
         out.append(*mapped[i], to_scene);
       else
-        out.append(stored[i]);
+        out.append(stored[i], corners[i]);
   }
 };
 
@@ -76,6 +84,7 @@ Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
   const auto mesh = meshes.read(placed.mesh, &result.mapped);
   result.mapped.resize(mesh->primitives.size());
   result.stored.resize(mesh->primitives.size());
+  result.corners.resize(mesh->primitives.size());
   const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1 &&
                              placed.placements[0].names_nothing();
   std::vector<glm::vec3> positions;
@@ -85,14 +94,18 @@ Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
     if (mapped && may_be_mapped) {
       std::size_t kept = 0;
       convert(primitive, placed.placements[0], {}, positions,
-              [&](const gpu::Triangle&) { ++kept; });
+              [&](const gpu::Triangle&, std::size_t) { ++kept; });
       if (kept == mapped->triangles) continue;  // none is without area
     }
     mapped.reset();
     for (const Placement& placement : placed.placements)
       result.dropped +=
           convert(primitive, placement, light_numbers, positions,
-                  [&](const gpu::Triangle& triangle) { result.stored[i].push_back(triangle); });
+                  [&](const gpu::Triangle& triangle, std::size_t first_index) {
+                    result.stored[i].push_back(triangle);
+                    if (!primitive.texture_coordinates.empty())
+                      result.corners[i].push_back(find_corners(primitive, first_index));
+                  });
   }
   return result;
 }
@@ -123,8 +136,9 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
   std::size_t dropped = 0;
   std::vector<glm::vec3> positions;
   for (const ScenePrimitive& primitive : mesh.primitives)
-    dropped += convert(primitive, {to_scene}, light_numbers, positions,
-                       [&](const gpu::Triangle& triangle) { out.push_back(triangle); });
+    dropped +=
+        convert(primitive, {to_scene}, light_numbers, positions,
+                [&](const gpu::Triangle& triangle, std::size_t) { out.push_back(triangle); });
   return dropped;
 }
 

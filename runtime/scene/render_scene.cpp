@@ -16,6 +16,7 @@
 #include "runtime/scene/local_origin.h"
 #include "runtime/scene/parts.h"
 #include "runtime/scene/scene_geometry.h"
+#include "runtime/scene/textures.h"
 
 namespace nightcity::scene {
 namespace {
@@ -54,6 +55,9 @@ void add_materials(RenderScene& out, const Scene& scene) {
   for (const SceneMaterial& m : scene.materials)
     out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, 0});
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});
+  for (const SceneMaterial& m : scene.materials)
+    out.parts[static_cast<std::size_t>(Part::textures)] += m.texture.has_value();
+  add_textures(out, scene.materials, scene.pictures);
 }
 
 void add_lights(RenderScene& out, SceneLights lights) {

@@ -65,9 +65,10 @@ enum class Part : std::uint8_t {
   trees,
   vehicle_shadows,
   colours,
+  textures,
   water,
 };
-constexpr std::size_t part_count = 11;
+constexpr std::size_t part_count = 12;
 /// A set of parts: bit n is part n.
 using PartSet = std::bitset<part_count>;
 /// The number of things of each part.
@@ -85,6 +86,8 @@ struct RenderScene {
   std::vector<Mesh> meshes{};                 // none is empty
   std::vector<gpu::Instance> instances;
   std::vector<gpu::Material> materials;  // at least one
+  std::vector<gpu::Texture> textures{};
+  LargeVector<std::uint32_t> texels{};  // of all textures
   std::vector<Light> lights;
   std::vector<LightFamily> families;  // parallel to lights
   std::vector<LightProfile> profiles;

@@ -19,8 +19,23 @@ void TriangleList::copy(std::size_t first, std::span<gpu::Triangle> to) const {
   }
 }
 
-void TriangleList::append(std::span<const gpu::Triangle> triangles) {
+gpu::TextureCorners TriangleList::texture_corners(std::size_t i) const {
+  if (!blocks_.empty()) {
+    std::size_t block = block_at_[i / indexed];
+    while (i >= blocks_[block].end) ++block;
+    if (blocks_[block].is_mapped) return without_texture;
+    i = blocks_[block].stored + i - blocks_[block].first;
+  }
+  return i < corners_.size() ? corners_[i] : without_texture;
+}
+
+void TriangleList::append(std::span<const gpu::Triangle> triangles,
+                          std::span<const gpu::TextureCorners> corners) {
   if (triangles.empty()) return;
+  if (!corners.empty()) {
+    corners_.resize(stored_.size(), without_texture);
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
+  }
   if (!blocks_.empty()) {
     if (blocks_.back().is_mapped)
       blocks_.push_back({size_, size_ + triangles.size(), false, false, stored_.size(), {}, {}});

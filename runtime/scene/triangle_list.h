@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -19,8 +20,13 @@
 #include "formats/scene_bytes.h"
 #include "runtime/scene/large_vector.h"
 #include "shaders/bvh_types.h"
+#include "shaders/scene_types.h"
 
 namespace nightcity::scene {
+
+/// The texture coordinates of a triangle that has none.
+constexpr gpu::TextureCorners without_texture{glm::vec2(std::numeric_limits<float>::quiet_NaN()),
+                                              glm::vec2(0), glm::vec2(0)};
 
 class TriangleList {
  public:
@@ -38,13 +44,19 @@ class TriangleList {
   }
   Iterator begin() const;
   Iterator end() const;
+  /// Returns whether some triangle has texture coordinates.
+  bool has_texture_corners() const { return !corners_.empty(); }
+  /// Returns the texture coordinates of a triangle, without_texture where it has none.
+  gpu::TextureCorners texture_corners(std::size_t i) const;
   /// Copies the triangles from `first` on.
   void copy(std::size_t first, std::span<gpu::Triangle> to) const;
 
   /// Makes room for so many triangles that are stored. Room that is not used takes no memory.
   void reserve(std::size_t count) { stored_.reserve(count); }
   void push_back(const gpu::Triangle& triangle) { append(std::span(&triangle, 1)); }
-  void append(std::span<const gpu::Triangle> triangles);
+  /// `corners`: texture coordinates of each, or none.
+  void append(std::span<const gpu::Triangle> triangles,
+              std::span<const gpu::TextureCorners> corners = {});
   /// Appends the triangles of a primitive, which lie in files that keep() is given.
   /// `to_scene` leads from its frame to that of the scene.
   void append(const MappedPrimitive& primitive, const glm::dmat4& to_scene);
@@ -93,8 +105,9 @@ class TriangleList {
   static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_
 
   LargeVector<gpu::Triangle> stored_;
-  std::vector<Block> blocks_;            // none: all are stored
-  std::vector<std::uint32_t> block_at_;  // of triangle i * indexed
+  LargeVector<gpu::TextureCorners> corners_;  // of the first of these; the others have none
+  std::vector<Block> blocks_;                 // none: all are stored
+  std::vector<std::uint32_t> block_at_;       // of triangle i * indexed
   std::size_t size_ = 0;
   std::shared_ptr<const SceneBytes> files_;
 };

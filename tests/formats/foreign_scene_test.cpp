@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "formats/gltf_samples.h"
 #include "formats/picture_mean.h"
@@ -44,10 +45,76 @@ bool says(const Scene& scene, const std::string& words) {
   });
 }
 
-TEST(ForeignScene, ATextureIsShownAsItsMeanTimesTheFactor) {
+// Gives the four vertices texture coordinates.
+json placed(std::vector<float> places = {0, 0, 1, 0, 0, 1, 1, 1}) {
+  json document = textured();
+  const std::string bytes(reinterpret_cast<const char*>(places.data()),
+                          places.size() * sizeof(float));
+  document["accessors"].push_back({{"bufferView", add_view(document, bytes)},
+                                   {"componentType", 5126},
+                                   {"count", places.size() / 2},
+                                   {"type", "VEC2"}});
+  document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+      document["accessors"].size() - 1;
+  return document;
+}
+
+TEST(ForeignScene, TheMeanOfATextureTimesTheFactorIsTheBaseColour) {
   const Scene scene = read(textured());
   expect_colour(scene.materials.at(0).base_colour, {0.5f, 0.5f, linear_188 / 2});
-  EXPECT_TRUE(says(scene, "1 texture is shown as one colour"));
+  EXPECT_TRUE(says(scene, "1 primitive has a texture and no texture coordinates"));
+  EXPECT_TRUE(scene.meshes.at(0).primitives.at(0).texture_coordinates.empty());
+}
+
+TEST(ForeignScene, ATextureKeepsItsPictureFactorWrapAndCoordinates) {
+  json document = placed();
+  document["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+  document["textures"][0]["sampler"] = 0;
+  const Scene scene = read(document);
+  ASSERT_TRUE(scene.materials.at(0).texture);
+  EXPECT_EQ(scene.materials[0].texture->factor, glm::vec3(0.5f, 1, 1));
+  EXPECT_EQ(scene.materials[0].texture->wrap_u, TextureWrap::clamp);
+  EXPECT_EQ(scene.materials[0].texture->wrap_v, TextureWrap::mirror);
+  ASSERT_EQ(scene.pictures.size(), 1u);
+  EXPECT_EQ(count_picture_pixels(scene.pictures[0]), 2);
+  EXPECT_EQ(scene.meshes.at(0).primitives.at(0).texture_coordinates,
+            (std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}, {1, 1}}));
+  EXPECT_TRUE(scene.skipped.empty());
+}
+
+TEST(ForeignScene, ATextureThatIsTransformedOrShinesIsItsMean) {
+  json transformed = placed(), shining = placed();
+  transformed["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+      {"KHR_texture_transform", {{"scale", {2, 2}}}}};
+  shining["materials"][0]["emissiveFactor"] = {1, 1, 1};
+  for (const json& document : {transformed, shining}) {
+    const Scene scene = read(document);
+    EXPECT_FALSE(scene.materials.at(0).texture);
+    EXPECT_TRUE(says(scene, "1 texture is shown as one colour"));
+  }
+}
+
+TEST(ForeignScene, TextureCoordinatesThatAreNoNumbersCountAsNone) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(says(read(placed({0, 0, nan, 0, 0, 1, 1, 1})), "no texture coordinates"));
+  EXPECT_NE(test::refusal(placed({0, 0, 1, 1})).find("TEXCOORD_0"), std::string::npos);
+}
+
+// A PNG that says 100,000 by 100,000 pixels, and one that is cut.
+TEST(ForeignScene, PicturesThatCannotBeUnpackedAreCountedAndTheFactorStays) {
+  json document = placed();
+  std::string png = std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16) +
+                    std::string("\0\x01\x86\xa0\0\x01\x86\xa0\x08\x02\0\0\0", 13);
+  document["images"][0] = {{"bufferView", add_view(document, png)}, {"mimeType", "image/png"}};
+  const Scene scene = read(document);
+  EXPECT_FALSE(scene.materials.at(0).texture);
+  expect_colour(scene.materials[0].base_colour, {0.5f, 1, 1});
+  EXPECT_TRUE(says(scene, "8192 x 8192"));
+}
+
+TEST(ForeignScene, ThePathOfAPictureMayNotLeaveTheFolder) {
+  const Scene scene = read(textured("../picture.png"));
+  EXPECT_TRUE(says(scene, "1 texture is not read"));
 }
 
 TEST(ForeignScene, ATransparentTextureCountsByItsAlpha) {

@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <span>
+#include <string>
 
 #include "formats/error.h"
 #include "formats/scene_samples.h"
+#include "support/make_png.h"
 #include "support/temp_folder.h"
 
 namespace nightcity {
@@ -190,6 +194,52 @@ TEST(SceneWriter, NamesAPlaceThatCannotBeWritten) {
   test::write_text(folder / "file", "x");
   EXPECT_THROW(SceneWriter(folder / "file/city.glb", {}), Error);
   EXPECT_THROW(SceneWriter(folder / "no/such/city.glb", {}), Error);
+}
+
+TEST(SceneWriter, KeepsPicturesTexturesAndTheirCoordinates) {
+  const TempFolder folder;
+  for (const bool draco : {false, true}) {
+    SceneWriter writer(folder / "city.glb", {.draco = draco});
+    const std::string png = test::make_rgb_png(2, 1, [](std::size_t x, std::size_t) {
+      return std::array<unsigned char, 3>{255, static_cast<unsigned char>(x == 0 ? 255 : 0), 0};
+    });
+    const std::uint32_t picture = writer.add_picture(std::as_bytes(std::span(png)));
+    writer.add_material({.name = "plain"});
+    SceneMaterial material{.name = "wall"};
+    material.texture = {.picture = picture,
+                        .factor = {0.5f, 1, 1},
+                        .wrap_u = TextureWrap::clamp,
+                        .wrap_v = TextureWrap::mirror};
+    writer.add_material(material);
+    SceneMesh mesh{"tile", {square(10), square(5, 1)}};
+    mesh.primitives[1].texture_coordinates = {{0, 1}, {1, 1}, {1, 0}, {-2.5f, 0}};
+    writer.add_node({"tile", "city", writer.add_mesh(mesh), true, {SceneInstance{}}});
+    writer.finish({});
+    const Scene scene = read_scene(folder / "city.glb");
+    EXPECT_TRUE(scene.skipped.empty());
+    EXPECT_FALSE(scene.materials.at(0).texture);
+    EXPECT_EQ(scene.materials.at(1).texture, material.texture);
+    EXPECT_EQ(scene.materials[1].base_colour, glm::vec3(0.5f, 0.5f, 0));
+    EXPECT_EQ(scene.pictures.at(0).size(), png.size());
+    EXPECT_EQ(scene.meshes.at(0).primitives.at(1).texture_coordinates,
+              mesh.primitives[1].texture_coordinates);
+    EXPECT_EQ(scene.meshes[0].primitives[1].positions, mesh.primitives[1].positions);
+  }
+}
+
+TEST(SceneWriter, RefusesTexturesThatPointToNothing) {
+  const TempFolder folder;
+  SceneWriter writer(folder / "city.glb", {});
+  SceneMaterial material;
+  material.texture.emplace();
+  EXPECT_THROW(writer.add_material(material), Error);
+  EXPECT_THROW(writer.add_picture({}), Error);
+  writer.add_material({});
+  SceneMesh mesh{"tile", {square(10)}};
+  mesh.primitives[0].texture_coordinates = {{0, 0}};
+  EXPECT_THROW(writer.add_mesh(mesh), Error);
+  mesh.primitives[0].texture_coordinates.assign(4, glm::vec2(NAN));
+  EXPECT_THROW(writer.add_mesh(mesh), Error);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -45,6 +46,15 @@ enum class ObjectType : std::uint8_t {
   other
 };
 
+/// The part of a picture that lies on a polygon.
+struct SurfacePicture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;  // rows from above, sRGB, three bytes a pixel
+  /// Where the vertices lie in it, in pixels from its upper left corner: those of the exterior,
+  /// then those of each interior.
+  std::vector<glm::dvec2> places;
+};
+
 struct Polygon {
   std::string id;  // as in the file; "" = none
   SurfaceType surface = SurfaceType::unknown;
@@ -56,9 +66,10 @@ struct Polygon {
   /// The coordinate reference system that the polygon's coordinates have, where it is another than
   /// ReadOptions::srs_name; null elsewhere.
   std::shared_ptr<const std::string> srs_name{};
+  std::shared_ptr<const SurfacePicture> picture{};  // with Textures::atlas
 
-  /// Passes each field to an archive (tools/archive.h), but for the name of a CRS: in an archive,
-  /// coordinates have the city's.
+  /// Passes each field to an archive (tools/archive.h), but for the name of a CRS, since
+  /// coordinates have the city's there, and for the picture, which then is of triangles.
   template <class Archive>
   void visit(Archive& archive) {
     archive(id, surface, exterior, interiors, diffuse_colour, area_function);

@@ -59,8 +59,8 @@ struct MeshPlacement {
   int max_vertices = 20'000'000;  // a limit: a vertex takes 24 bytes
 };
 
-/// Textures are left out, or each surface gets the mean colour of its own.
-enum class Textures : std::uint8_t { none, mean };
+/// Textures are left out, or each surface gets the mean colour of its own, or the picture as well.
+enum class Textures : std::uint8_t { none, mean, atlas };
 
 /// A polygon beyond these is left out and counted.
 struct PolygonLimits {

@@ -81,8 +81,10 @@ bool extrude_flat_building(CityObject& object) {
   const bool footprints = std::any_of(object.polygons.begin(), object.polygons.end(), is_footprint);
   std::vector<Polygon> blocks;
   for (Polygon& plan : object.polygons)
-    if (!footprints || is_footprint(plan))
+    if (!footprints || is_footprint(plan)) {
+      plan.picture.reset();  // it is no picture of the block's sides
       add_block(std::move(plan), *object.measured_height_m, blocks);
+    }
   object.polygons = std::move(blocks);
   return true;
 }

@@ -64,12 +64,21 @@ void Materials::read_below(const pugi::xml_node& element, int depth, city::SkipC
 }
 
 void Materials::read_texture(const pugi::xml_node& texture, city::SkipCounter& skipped) {
-  pictures_->read(texture, skipped, [&](std::string_view id, const glm::vec3& colour) {
+  const auto take_colour = [&](std::string_view id, const glm::vec3& colour) {
     if (colours_.size() < max_targets)
       colours_.insert_or_assign(hash(id), colour);
     else
       skipped.add("app:target: beyond the two million whose colours are kept");
-  });
+  };
+  const auto take_ring = [&](std::string_view id, RingTexture&& ring) {
+    if (rings_.size() < max_targets) rings_.insert_or_assign(hash(id), std::move(ring));
+  };
+  pictures_->read(texture, skipped, take_colour, take_ring);
+}
+
+const RingTexture* Materials::find_ring(std::string_view id) const {
+  const auto at = rings_.find(hash(id));
+  return at == rings_.end() ? nullptr : &at->second;
 }
 
 const glm::vec3* Materials::find(std::string_view id) const {

@@ -7,6 +7,7 @@
 #include "tools/city/attributes.h"
 #include "tools/city/ring.h"
 #include "tools/citygml/geometry_names.h"
+#include "tools/citygml/picture_colours.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
 
@@ -62,6 +63,14 @@ const glm::vec3* GeometryWalk::find_colour(const pugi::xml_node& element) const 
   if (id.empty()) return nullptr;
   if (const glm::vec3* colour = local_materials_.find(id)) return colour;
   return file_materials_ ? file_materials_->find(id) : nullptr;
+}
+
+const RingTexture* GeometryWalk::find_ring_texture(const pugi::xml_node& ring) const {
+  if (!library_.pictures || !library_.pictures->keeps_pictures()) return nullptr;
+  const std::string_view id = find_attribute(ring, "id");
+  if (id.empty()) return nullptr;
+  if (const RingTexture* texture = local_materials_.find_ring(id)) return texture;
+  return file_materials_ ? file_materials_->find_ring(id) : nullptr;
 }
 
 void GeometryWalk::read(const pugi::xml_node& property, const GeometryContext& context,
@@ -163,10 +172,7 @@ void GeometryWalk::add_linked(const std::vector<LinkedPolygon>& linked,
       continue;
     }
     city::Polygon copy = one.polygon;
-    if (context.reversed) {
-      std::reverse(copy.exterior.begin(), copy.exterior.end());
-      for (city::Ring& ring : copy.interiors) std::reverse(ring.begin(), ring.end());
-    }
+    if (context.reversed) city::reverse_rings(copy);
     if (copy.surface == city::SurfaceType::unknown) copy.surface = context.surface;
     if (copy.area_function == 0) copy.area_function = context.area_function;
     linked_numbers_.resize(out_->size());
@@ -189,6 +195,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
   take_own_srs_name(element, own);
   polygon.srs_name = std::move(own.srs_name);
   RingFault fault = RingFault::no_coordinates;
+  PolygonTexture texture;
   for (const pugi::xml_node& boundary : element.children()) {
     const std::string_view side = local_name(boundary.name());
     const bool outer = side == "exterior" || side == "outerBoundaryIs";
@@ -201,10 +208,12 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
     const RingFault ring_fault = read_ring(ring_element, dimension, ring);
     if (outer) {
       fault = ring_fault;
+      if (ring_fault == RingFault::none) texture.add(find_ring_texture(ring_element), ring.size());
       polygon.exterior = std::move(ring);
     } else if (ring_fault != RingFault::none) {
       skipped_.add("hole: " + std::string(name_of(ring_fault)));
     } else {
+      texture.add(find_ring_texture(ring_element), ring.size());
       polygon.interiors.push_back(std::move(ring));
     }
   }
@@ -216,10 +225,11 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
     skipped_.add("polygon: at a height that stands for none (-9999 and the like)");
     return;
   }
-  if (context.reversed) {
-    std::reverse(polygon.exterior.begin(), polygon.exterior.end());
-    for (city::Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
-  }
+  if (texture.is_whole())
+    polygon.picture = texture.cut(*library_.pictures, skipped_, pixels_left_);
+  else if (texture.is_misfit())
+    skipped_.add("texture: a ring has another number of texture coordinates than of vertices");
+  if (context.reversed) city::reverse_rings(polygon);
   add(std::move(polygon), context);
 }
 

@@ -13,6 +13,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "tools/city/cut_picture.h"
 #include "tools/city/merge_parts.h"
 #include "tools/city/skip_counter.h"
 #include "tools/citygml/appearances.h"
@@ -100,6 +101,7 @@ class GeometryWalk {
   };
   void walk_points(const pugi::xml_node& property, const GeometryContext& context, Points& out);
   const glm::vec3* find_colour(const pugi::xml_node& element) const;
+  const RingTexture* find_ring_texture(const pugi::xml_node& ring) const;
   void take_srs_name_of(const pugi::xml_node& element, GeometryContext& context) const;
   void take_own_srs_name(const pugi::xml_node& element, GeometryContext& context) const;
 
@@ -132,6 +134,7 @@ class GeometryWalk {
   std::size_t linked_vertices_ = 0;
   std::vector<std::string> unresolved_;
   std::size_t placed_polygons_ = 0;
+  std::int64_t pixels_left_ = city::max_object_pixels;  // of pictures on the member's polygons
 };
 
 }  // namespace nightcity::citygml

@@ -1,7 +1,6 @@
 #include "tools/citygml/picture_colours.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
@@ -20,20 +19,6 @@
 namespace nightcity::citygml {
 namespace {
 
-// IEC 61966-2-1.
-double to_srgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-glm::vec3 to_step(const glm::dvec3& linear) {
-  constexpr double steps = 31;
-  glm::vec3 colour;
-  for (int i = 0; i < 3; ++i)
-    colour[i] =
-        static_cast<float>(std::round(std::clamp(to_srgb(linear[i]), 0.0, 1.0) * steps) / steps);
-  return colour;
-}
-
 const std::string beyond_budget =
     std::string("texture: its picture is not unpacked: ") + picture_budget_text;
 
@@ -41,11 +26,39 @@ struct Span {
   glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-low};
 };
 
-// The box of all texture coordinates in an element; of none: not finite.
-Span find_span(const pugi::xml_node& target) {
+// A surface or ring group that a texture lies on: its id, and the element that holds its
+// coordinate lists.
+struct Target {
+  std::string_view id;
+  pugi::xml_node holder;
+};
+
+std::string_view to_id(std::string_view uri) {
+  uri = city::trim(uri);
+  return uri.starts_with('#') ? uri.substr(1) : std::string_view();
+}
+
+// Appends what a property of a ParameterizedTexture names: CityGML 1 and 2 have target, 3 has
+// textureParameterization with a TextureAssociation in it.
+void append_targets(const pugi::xml_node& property, std::vector<Target>& targets) {
+  const std::string_view name = local_name(property.name());
+  if (name == "target") targets.push_back({to_id(find_attribute(property, "uri")), property});
+  if (name != "textureParameterization") return;
+  for (const pugi::xml_node& association : property.children()) {
+    Target target;
+    for (const pugi::xml_node& child : association.children()) {
+      if (local_name(child.name()) == "target") target.id = to_id(child.child_value());
+      if (local_name(child.name()) == "textureParameterization") target.holder = child;
+    }
+    if (target.holder) targets.push_back(target);
+  }
+}
+
+// The box of all texture coordinates of a target; of none: not finite.
+Span find_span(const pugi::xml_node& holder) {
   Span span;
   std::vector<double> numbers;
-  for (const pugi::xml_node& list : target.children())
+  for (const pugi::xml_node& list : holder.children())
     for (const pugi::xml_node& child : list.children()) {
       if (local_name(child.name()) != "textureCoordinates") continue;
       numbers.clear();
@@ -59,10 +72,79 @@ Span find_span(const pugi::xml_node& target) {
   return span;
 }
 
+using TakeRing = std::function<void(std::string_view, RingTexture&&)>;
+
+// Calls `take` for each ring of a TexCoordList that has an id and coordinates. CityGML 1 and 2 name
+// the ring in an attribute; 3 has elements for the rings, in the order of their coordinates.
+void for_each_ring(const pugi::xml_node& list, std::uint32_t picture, const TakeRing& take) {
+  std::vector<std::string_view> rings;
+  for (const pugi::xml_node& child : list.children())
+    if (local_name(child.name()) == "ring") rings.push_back(to_id(child.child_value()));
+  std::size_t number = 0;
+  std::vector<double> numbers;
+  for (const pugi::xml_node& child : list.children()) {
+    if (local_name(child.name()) != "textureCoordinates") continue;
+    std::string_view ring = to_id(find_attribute(child, "ring"));
+    if (ring.empty() && number < rings.size()) ring = rings[number];
+    ++number;
+    numbers.clear();
+    if (ring.empty() || !read_numbers(child, numbers)) continue;
+    RingTexture texture{picture, {}};
+    texture.places.reserve(numbers.size() / 2);
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+      texture.places.emplace_back(numbers[i], numbers[i + 1]);
+    take(ring, std::move(texture));
+  }
+}
+
 }  // namespace
 
-PictureColours::PictureColours(const city::Document& document, bool latin1)
-    : folder_(std::filesystem::path(document.name).parent_path()), plan_(document, latin1) {}
+void PolygonTexture::add(const RingTexture* texture, std::size_t vertices) {
+  if (!is_whole_) return;
+  is_whole_ = texture && texture->places.size() == vertices + 1 &&
+              (places_.empty() || texture->picture == picture_);
+  is_misfit_ = is_misfit_ || (texture && texture->places.size() != vertices + 1);
+  if (!is_whole_) return;
+  picture_ = texture->picture;
+  places_.insert(places_.end(), texture->places.begin(), texture->places.end() - 1);
+}
+
+std::shared_ptr<const city::SurfacePicture> PolygonTexture::cut(PictureColours& pictures,
+                                                                city::SkipCounter& skipped,
+                                                                std::int64_t& pixels_left) const {
+  const auto picture = pictures.find_picture(picture_);
+  if (!picture) return {};
+  auto part = city::cut_picture(*picture, places_, pixels_left);
+  if (part)
+    pictures.count_laid_out();
+  else
+    skipped.add(
+        "texture: its place in the picture is no number, or its object has too many pixels");
+  return part;
+}
+
+PictureColours::PictureColours(const city::Document& document, bool latin1, city::Textures textures)
+    : textures_(textures),
+      folder_(std::filesystem::path(document.name).parent_path()),
+      plan_(document, latin1) {}
+
+std::uint32_t PictureColours::find_number(std::string_view uri) {
+  const std::lock_guard lock(mutex_);
+  const auto [at, is_new] =
+      numbers_.try_emplace(std::string(uri), static_cast<std::uint32_t>(uris_.size()));
+  if (is_new) uris_.emplace_back(uri);
+  return at->second;
+}
+
+std::shared_ptr<const Picture> PictureColours::find_picture(std::uint32_t number) {
+  std::string uri;
+  {
+    const std::lock_guard lock(mutex_);
+    uri = uris_.at(number);
+  }
+  const char* why = "";
+  return find_picture(uri, why);
+}
 
 std::shared_ptr<const Picture> PictureColours::find_picture(std::string_view uri,
                                                             const char*& why) {
@@ -97,13 +179,14 @@ std::shared_ptr<const Picture> PictureColours::find_picture(std::string_view uri
 }
 
 void PictureColours::read(const pugi::xml_node& texture, city::SkipCounter& skipped,
-                          const std::function<void(std::string_view, const glm::vec3&)>& take) {
+                          const std::function<void(std::string_view, const glm::vec3&)>& take,
+                          const std::function<void(std::string_view, RingTexture&&)>& take_ring) {
   std::string_view uri;
-  std::vector<pugi::xml_node> targets;
+  std::vector<Target> targets;
   for (const pugi::xml_node& property : texture.children()) {
     const std::string_view name = local_name(property.name());
     if (name == "imageURI") uri = city::trim(property.child_value());
-    if (name == "target") targets.push_back(property);
+    append_targets(property, targets);
   }
   const char* why = "";
   const auto picture = find_picture(uri, why);
@@ -111,12 +194,14 @@ void PictureColours::read(const pugi::xml_node& texture, city::SkipCounter& skip
     skipped.add(why);
     return;
   }
-  for (const pugi::xml_node& target : targets) {
-    std::string_view id = city::trim(find_attribute(target, "uri"));
-    if (!id.starts_with('#')) continue;
-    id.remove_prefix(1);
-    const Span span = find_span(target);
-    take(id, to_step(picture->find_mean_between(span.low, span.high)));
+  if (keeps_pictures())
+    for (const Target& target : targets)
+      for (const pugi::xml_node& list : target.holder.children())
+        for_each_ring(list, find_number(uri), take_ring);
+  for (const Target& target : targets) {
+    if (target.id.empty()) continue;
+    const Span span = find_span(target.holder);
+    take(target.id, city::find_mean_step(*picture, span.low, span.high));
     ++surfaces_;
   }
 }

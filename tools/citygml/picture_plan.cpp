@@ -87,16 +87,6 @@ std::optional<Named> look_at(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::optional<std::filesystem::path> find_picture_file(const std::filesystem::path& folder,
-                                                       std::string_view uri) {
-  std::string written(uri);
-  std::replace(written.begin(), written.end(), '\\', '/');
-  const std::filesystem::path name(written);
-  if (name.empty() || name.is_absolute() || written.find("://") != std::string::npos) return {};
-  if (std::find(name.begin(), name.end(), "..") != name.end()) return {};
-  return folder / name;
-}
-
 PicturePlan::PicturePlan(const city::Document& document, bool latin1) {
   const std::filesystem::path folder = std::filesystem::path(document.name).parent_path();
   std::vector<Named> pictures;

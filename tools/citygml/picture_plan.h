@@ -4,48 +4,17 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
-#include <utility>
 
-#include "formats/picture_mean.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/picture_shelf.h"
 
 namespace nightcity::citygml {
 
-/// Remembers what was made of the latest pictures, by their files: as many as have, together, the
-/// pixels of one largest picture. A picture of many buildings comes up again soon.
-template <class T>
-class RecentPictures {
- public:
-  const T* find(const std::filesystem::path& file) const {
-    const auto at = kept_.find(file.native());
-    return at == kept_.end() ? nullptr : &at->second.second;
-  }
-
-  void add(const std::filesystem::path& file, std::int64_t pixels, T picture) {
-    if (!kept_.try_emplace(file.native(), pixels, std::move(picture)).second) return;
-    order_.push_back(file.native());
-    for (pixels_ += pixels; pixels_ > max_picture_pixels; order_.pop_front()) {
-      const auto oldest = kept_.find(order_.front());
-      pixels_ -= oldest->second.first;
-      kept_.erase(oldest);
-    }
-  }
-
- private:
-  std::unordered_map<std::string, std::pair<std::int64_t, T>> kept_;
-  std::deque<std::string> order_;
-  std::int64_t pixels_ = 0;
-};
-
-/// Returns the file that an imageURI names. Nothing where it would lie outside `folder`.
-std::optional<std::filesystem::path> find_picture_file(const std::filesystem::path& folder,
-                                                       std::string_view uri);
+using city::find_picture_file;
+using city::RecentPictures;
 
 /// The pictures that a document names, and whether PictureBudget has room for each. A picture that
 /// comes again later than RecentPictures remembers is counted again.

@@ -74,17 +74,20 @@ class StreamReader {
  private:
   city::ReadReport&& finish() {
     if (pictures_)
-      report_.warnings.push_back(document_.name + ": " + std::to_string(pictures_->pictures()) +
-                                 " pictures (" + std::to_string(pictures_->pixels() / 1'000'000) +
-                                 " megapixels) give " + std::to_string(pictures_->surfaces()) +
-                                 " surfaces their mean colour");
+      report_.warnings.push_back(
+          document_.name + ": " + std::to_string(pictures_->pictures()) + " pictures (" +
+          std::to_string(pictures_->pixels() / 1'000'000) + " megapixels) give " +
+          std::to_string(pictures_->surfaces()) + " surfaces their mean colour" +
+          (pictures_->keeps_pictures()
+               ? "; on " + std::to_string(pictures_->laid_out()) + " polygons they are laid out"
+               : ""));
     return std::move(report_);
   }
 
   void find_pictures() {
     const auto source = document_.open();
     const MemberSplitter splitter(*source, document_.name, limits_of(options_));
-    pictures_.emplace(document_, splitter.head().latin1);
+    pictures_.emplace(document_, splitter.head().latin1, options_.textures);
     library_.pictures = &*pictures_;
     file_materials_.set_pictures(library_.pictures);
   }

@@ -79,6 +79,9 @@ class Document {
   const std::vector<ObjectText>& objects() const { return index_.objects; }
   const SharedParts& shared() const { return shared_; }
   city::SkipCounter& skipped() { return skipped_; }
+  void find_pictures(const city::ReadOptions& options) {
+    shared_.materials.find_pictures(name_, options, skipped_);
+  }
 
   // Calls `take(vertices, number of the first)` until it returns false.
   template <class Take>
@@ -144,6 +147,7 @@ class DocumentReader {
         document_(text, name, options.max_member_bytes()) {}
 
   city::ReadReport read() {
+    document_.find_pictures(options_);
     report_.version = document_.shared().version;
     report_.srs_name = document_.shared().srs_name;
     document_.shared().require_srs_name(options_.srs_name, name_);

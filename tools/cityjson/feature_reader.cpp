@@ -56,7 +56,8 @@ void read_feature(const dom::element& value, const SharedParts& shared,
   Materials own;
   GeometrySources sources{vertices, &shared, &shared.materials};
   if (const auto appearance = find_object(feature, "appearance"); appearance && line > 1) {
-    own.read(*appearance, batch.skipped);
+    own.read(*appearance);
+    own.find_pictures(name, options, batch.skipped);
     sources.materials = &own;
   }
   std::vector<ObjectNode> nodes;

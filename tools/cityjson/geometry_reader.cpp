@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <map>
@@ -147,8 +148,6 @@ void GeometryReader::read_geometry(const dom::object& geometry, Context context,
     skipped_.add(type.empty() ? "geometry without a type" : type);
     return;
   }
-  if (const auto texture = find_object(geometry, "texture"); texture && texture->size() > 0)
-    skipped_.add("texture of a geometry");
   read_semantics(geometry, context);
   std::optional<dom::element> values;
   if (const auto semantics = find_object(geometry, "semantics"))
@@ -164,8 +163,25 @@ void GeometryReader::read_geometry(const dom::object& geometry, Context context,
       if (const auto one = find_member(*theme, "value")) context.colour = find_colour(*one);
     }
   }
-  walk(*boundaries, values ? &*values : nullptr, materials ? &*materials : nullptr, *depth, context,
-       out);
+  const std::optional<dom::element> textures = find_texture_values(geometry);
+  walk(*boundaries,
+       {values ? &*values : nullptr, materials ? &*materials : nullptr,
+        textures ? &*textures : nullptr},
+       *depth, context, out);
+}
+
+std::optional<dom::element> GeometryReader::find_texture_values(const dom::object& geometry) {
+  const auto themes = find_object(geometry, "texture");
+  if (!themes || themes->size() == 0) return {};
+  if (!sources_.materials || !sources_.materials->pictures) {
+    skipped_.add("texture of a geometry");
+    return {};
+  }
+  std::optional<dom::object> theme =
+      find_object(*themes, sources_.materials->default_texture_theme);
+  for (const auto& [name, value] : *themes)
+    if (dom::object other; !theme && value.get(other) == simdjson::SUCCESS) theme = other;
+  return theme ? find_member(*theme, "values") : std::nullopt;
 }
 
 void GeometryReader::read_points(const dom::element& boundaries) {
@@ -211,22 +227,22 @@ const glm::vec3* GeometryReader::find_colour(const dom::element& index) const {
   return colour ? &*colour : nullptr;
 }
 
-void GeometryReader::walk(const dom::element& boundaries, const dom::element* semantics,
-                          const dom::element* materials, int depth, const Context& context,
-                          std::vector<city::RawPolygon>& out) {
+void GeometryReader::walk(const dom::element& boundaries, const Beside& beside, int depth,
+                          const Context& context, std::vector<city::RawPolygon>& out) {
   dom::array children;
   if (boundaries.get(children) != simdjson::SUCCESS) {
     skipped_.add("boundaries that are no array");
     return;
   }
-  Alongside semantics_of(semantics), materials_of(materials);
+  Alongside semantics_of(beside.semantics), materials_of(beside.material),
+      textures_of(beside.texture);
   if (depth == 0) grow(out, children.size());
   for (const dom::element& child : children) {
-    const dom::element *meaning = semantics_of.take(), *material = materials_of.take();
+    const Beside its{semantics_of.take(), materials_of.take(), textures_of.take()};
     if (depth == 0)
-      read_surface(child, meaning, material, context, out);
+      read_surface(child, its, context, out);
     else
-      walk(child, meaning, material, depth - 1, context, out);
+      walk(child, its, depth - 1, context, out);
   }
 }
 
@@ -248,13 +264,15 @@ const char* GeometryReader::read_ring(const dom::element& indices,
   return ring.size() < 3 ? "ring of fewer than three vertices" : nullptr;
 }
 
-void GeometryReader::read_surface(const dom::element& rings, const dom::element* semantics,
-                                  const dom::element* material, const Context& context,
-                                  std::vector<city::RawPolygon>& out) {
+void GeometryReader::read_surface(const dom::element& rings, const Beside& beside,
+                                  const Context& context, std::vector<city::RawPolygon>& out) {
   city::RawPolygon& raw = out.emplace_back();  // made where it stays: a polygon is large to move
   raw.lod = context.lod;
   raw.space = context.space;
-  if (!read_polygon(rings, semantics, material, context, raw.polygon)) out.pop_back();
+  if (!read_polygon(rings, beside, context, raw.polygon))
+    out.pop_back();
+  else if (beside.texture)
+    read_texture(*beside.texture, raw.polygon);
 }
 
 bool GeometryReader::skip(std::string_view reason) {
@@ -262,12 +280,57 @@ bool GeometryReader::skip(std::string_view reason) {
   return false;
 }
 
-bool GeometryReader::read_polygon(const dom::element& rings, const dom::element* semantics,
-                                  const dom::element* material, const Context& context,
-                                  city::Polygon& polygon) {
+// The values of a surface are those of its rings: the number of the picture, then that of a place
+// in it for each vertex. [[null]] stands for a surface without a texture.
+void GeometryReader::read_texture(const dom::element& rings, city::Polygon& polygon) {
+  const Materials& materials = *sources_.materials;
+  dom::array array;
+  if (rings.get(array) != simdjson::SUCCESS) return;
+  std::optional<std::size_t> picture;
+  std::vector<glm::dvec2> places;
+  for (const dom::element& element : array) {
+    dom::array values;
+    if (element.get(values) != simdjson::SUCCESS) return;
+    bool is_first = true;
+    for (const dom::element& value : values) {
+      const auto number = to_index(value);
+      if (!number && is_first) return;
+      if (!number || (!is_first && *number >= materials.texture_places.size()))
+        return skipped_.add("texture: a place in its picture that is not there");
+      if (!is_first)
+        places.push_back(materials.texture_places[*number]);
+      else if (picture && *picture != *number)
+        return skipped_.add("texture: several pictures on one surface");
+      else
+        picture = number;
+      is_first = false;
+    }
+  }
+  if (!picture) return;
+  if (places.size() != city::count_vertices(polygon))
+    return skipped_.add(
+        "texture: a ring has another number of texture coordinates than of vertices");
+  const char* why = nullptr;
+  const auto found = materials.pictures->find(*picture, why);
+  if (!found) return skipped_.add(why);
+  glm::dvec2 low = places.front(), high = low;
+  for (const glm::dvec2& place : places) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  polygon.diffuse_colour = city::find_mean_step(*found, low, high);
+  if (materials.textures != city::Textures::atlas) return;
+  polygon.picture = city::cut_picture(*found, places, pixels_left_);
+  if (!polygon.picture)
+    skipped_.add(
+        "texture: its place in the picture is no number, or its object has too many pixels");
+}
+
+bool GeometryReader::read_polygon(const dom::element& rings, const Beside& beside,
+                                  const Context& context, city::Polygon& polygon) {
   polygon.surface = context.surface;
-  if (semantics && !semantics->is_null()) {
-    const auto index = to_index(*semantics);
+  if (beside.semantics && !beside.semantics->is_null()) {
+    const auto index = to_index(*beside.semantics);
     if (!index || *index >= context.semantics.size()) {
       skipped_.add("semantics of a surface that is not there");
     } else {
@@ -277,7 +340,7 @@ bool GeometryReader::read_polygon(const dom::element& rings, const dom::element*
       polygon.area_function = meaning.area_function;
     }
   }
-  const glm::vec3* colour = material ? find_colour(*material) : nullptr;
+  const glm::vec3* colour = beside.material ? find_colour(*beside.material) : nullptr;
   if (!colour) colour = context.colour;
   if (colour) polygon.diffuse_colour = *colour;
   dom::array array;

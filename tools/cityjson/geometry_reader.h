@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/city/cut_picture.h"
 #include "tools/city/merge_parts.h"
 #include "tools/city/skip_counter.h"
 #include "tools/cityjson/shared_parts.h"
@@ -53,6 +54,10 @@ class GeometryReader {
     std::vector<Semantics> semantics;
     const glm::vec3* colour = nullptr;  // of the whole geometry
   };
+  // What belongs to a surface, or to those below a level of "boundaries"; null: nothing.
+  struct Beside {
+    const dom::element *semantics = nullptr, *material = nullptr, *texture = nullptr;
+  };
 
   void read_geometry(const dom::object& geometry, Context context,
                      std::vector<city::RawPolygon>& out);
@@ -63,15 +68,17 @@ class GeometryReader {
   void read_points(const dom::element& boundaries);
   void read_semantics(const dom::object& geometry, Context& context);
   const glm::vec3* find_colour(const dom::element& index) const;
-  void walk(const dom::element& boundaries, const dom::element* semantics,
-            const dom::element* materials, int depth, const Context& context,
+  void walk(const dom::element& boundaries, const Beside& beside, int depth, const Context& context,
             std::vector<city::RawPolygon>& out);
-  void read_surface(const dom::element& rings, const dom::element* semantics,
-                    const dom::element* material, const Context& context,
+  void read_surface(const dom::element& rings, const Beside& beside, const Context& context,
                     std::vector<city::RawPolygon>& out);
   /// Returns whether the polygon can be used; counts why it cannot.
-  bool read_polygon(const dom::element& rings, const dom::element* semantics,
-                    const dom::element* material, const Context& context, city::Polygon& polygon);
+  bool read_polygon(const dom::element& rings, const Beside& beside, const Context& context,
+                    city::Polygon& polygon);
+  /// Returns the values of a geometry's textures, in the default theme or else its first.
+  std::optional<dom::element> find_texture_values(const dom::object& geometry);
+  /// Gives the polygon its picture and the mean colour of that; counts why it has none.
+  void read_texture(const dom::element& rings, city::Polygon& polygon);
   bool skip(std::string_view reason);  // counts it and returns false
   /// Returns why the ring cannot be used, null where it can.
   const char* read_ring(const dom::element& indices, std::span<const glm::dvec3> vertices,
@@ -80,7 +87,8 @@ class GeometryReader {
   GeometrySources sources_;
   city::SkipCounter& skipped_;
   std::vector<glm::dvec3>* places_ = nullptr;
-  std::size_t placed_polygons_ = 0;  // of templates, by this object
+  std::size_t placed_polygons_ = 0;                     // of templates, by this object
+  std::int64_t pixels_left_ = city::max_object_pixels;  // of pictures on the object's polygons
 };
 
 /// Returns the number of polygons in a city object's "geometry".

@@ -79,6 +79,7 @@ class SequenceReader {
       for_each_line(*first_, [&](std::string_view line, std::size_t number) {
         header_line_ = number;
         header_.read(line, document_.name, number, batch.skipped);
+        header_.shared.materials.find_pictures(document_.name, options_, batch.skipped);
         // It should hold no city objects of its own; where it does, they are read too.
         read_feature(header_.value, header_.shared, options_, document_.name, 1, batch);
         return false;

@@ -21,6 +21,14 @@ std::optional<glm::vec3> read_colour(const dom::element& material) {
   return glm::vec3(*colour);
 }
 
+glm::dvec2 read_place(const dom::element& value) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  dom::array array;
+  if (value.get(array) != simdjson::SUCCESS || array.size() < 2) return glm::dvec2(none);
+  return {to_number(array.at(0).value()).value_or(none),
+          to_number(array.at(1).value()).value_or(none)};
+}
+
 // Zero where the member is absent or holds no three numbers.
 glm::dvec3 find_vector(const dom::object& object, std::string_view key) {
   const auto value = find_member(object, key);
@@ -65,12 +73,29 @@ std::vector<glm::dvec3> read_vertices(const dom::array& array, const Transform& 
   return vertices;
 }
 
-void Materials::read(const dom::object& appearance, city::SkipCounter& skipped) {
+void Materials::read(const dom::object& appearance) {
   default_theme = find_text(appearance, "default-theme-material");
+  default_texture_theme = find_text(appearance, "default-theme-texture");
   if (const auto materials = find_array(appearance, "materials"))
     for (const dom::element& material : *materials) colours.push_back(read_colour(material));
-  if (const auto textures = find_array(appearance, "textures"); textures && textures->size() > 0)
-    skipped.add("texture", textures->size());
+  if (const auto list = find_array(appearance, "textures"))
+    for (const dom::element& texture : *list) {
+      dom::object object;
+      const bool is_object = texture.get(object) == simdjson::SUCCESS;
+      picture_names.emplace_back(is_object ? find_text(object, "image") : std::string_view());
+    }
+  if (const auto places = find_array(appearance, "vertices-texture"))
+    for (const dom::element& place : *places) texture_places.push_back(read_place(place));
+}
+
+void Materials::find_pictures(const std::string& document, const city::ReadOptions& options,
+                              city::SkipCounter& skipped) {
+  if (picture_names.empty()) return;
+  textures = options.textures;
+  if (textures == city::Textures::none)
+    skipped.add("texture", picture_names.size());
+  else
+    pictures = std::make_shared<city::PictureShelf>(document, picture_names);
 }
 
 void SharedParts::read_templates(const dom::object& value) {
@@ -111,7 +136,7 @@ void SharedParts::read(std::string_view key, const dom::element& value, const st
   } else if (key == "metadata" && is_object) {
     srs_name = to_srs_name(find_text(object, "referenceSystem"));
   } else if (key == "appearance" && is_object) {
-    materials.read(object, skipped);
+    materials.read(object);
   } else if (key == "geometry-templates" && is_object) {
     read_templates(object);
   } else if (key == "extensions" && is_object && object.size() > 0) {

@@ -1,6 +1,7 @@
 // The parts that the city objects of a document share: CRS, transformation, templates, materials.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -8,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/city/city_reader.h"
+#include "tools/city/picture_shelf.h"
 #include "tools/city/skip_counter.h"
 #include "tools/cityjson/json.h"
 
@@ -20,12 +23,20 @@ struct Transform {
   glm::dvec3 apply(const glm::dvec3& stored) const { return stored * scale + translate; }
 };
 
-/// The diffuse colours of an "appearance", sRGB from 0 to 1. Its textures are counted.
+/// The diffuse colours of an "appearance", sRGB from 0 to 1, and its textures.
 struct Materials {
   std::vector<std::optional<glm::vec3>> colours;
-  std::string default_theme;
+  std::string default_theme, default_texture_theme;
+  std::vector<std::string> picture_names;
+  std::vector<glm::dvec2> texture_places;        // "vertices-texture"; not finite where none
+  std::shared_ptr<city::PictureShelf> pictures;  // null: textures are not read
+  city::Textures textures = city::Textures::none;
 
-  void read(const dom::object& appearance, city::SkipCounter& skipped);
+  void read(const dom::object& appearance);
+  /// Looks for the pictures beside the document where `options` ask for them; otherwise counts
+  /// them.
+  void find_pictures(const std::string& document, const city::ReadOptions& options,
+                     city::SkipCounter& skipped);
 };
 
 struct SharedParts {

@@ -7,9 +7,11 @@
 #include <map>
 #include <utility>
 
+#include "formats/rgb9e5.h"
 #include "formats/scene_writer.h"
 #include "formats/schedule.h"
 #include "tools/bake/scene/punctual.h"
+#include "tools/exports/ies_text.h"
 #include "tools/exports/light_texts.h"
 
 namespace nightcity::exports {
@@ -18,8 +20,8 @@ namespace {
 class TileWriter {
  public:
   TileWriter(const Scene& scene, const LightFile* lights, const glm::dvec3& origin,
-             const std::filesystem::path& path)
-      : scene_(scene), lights_(lights), origin_(origin), writer_(path, {}) {}
+             const std::filesystem::path& path, LampForm form)
+      : scene_(scene), lights_(lights), origin_(origin), form_(form), writer_(path, {}) {}
 
   void add_parts(const std::vector<TileParts::Part>& parts) {
     // Luminous parts of lamps become meshes with a feature each; what stands in many places
@@ -49,6 +51,10 @@ class TileWriter {
   }
 
   void add_lamp(const Light& light) {
+    const std::uint32_t profile = light_profile(light);
+    if (form_ == LampForm::ies && light_kind(light) == LightKind::sphere &&
+        profile < lights_->profiles().size())
+      return add_ies_lamp(light, profile);
     ScenePunctual punctual = bake::to_punctual(light, lights_->profiles(), lights_->profile_data());
     punctual.position = glm::vec3(glm::dvec3(light.position) - origin_);
     writer_.add_punctual(punctual);
@@ -62,9 +68,27 @@ class TileWriter {
   }
 
  private:
+  void add_ies_lamp(const Light& light, std::uint32_t profile) {
+    const auto [known, is_new] = ies_profiles_.try_emplace(profile, 0);
+    if (is_new)
+      known->second = writer_.add_ies_profile(
+          to_ies_text(lights_->profiles()[profile], lights_->profile_data()));
+    writer_.add_ies_light({known->second, glm::vec3(glm::dvec3(light.position) - origin_),
+                           light.axis, light.tangent, decode_rgb9e5(light.colour_rgb9e5),
+                           double{light.flux_lm} / ies_flux_lm});
+  }
+
   std::uint32_t to_material(std::uint32_t material) {
     const auto [known, is_new] = materials_.try_emplace(material, 0);
-    if (is_new) known->second = writer_.add_material(scene_.materials[material]);
+    if (!is_new) return known->second;
+    SceneMaterial own = scene_.materials[material];
+    if (own.texture) own.texture->picture = to_picture(own.texture->picture);
+    return known->second = writer_.add_material(own);
+  }
+
+  std::uint32_t to_picture(std::uint32_t picture) {
+    const auto [known, is_new] = pictures_.try_emplace(picture, 0);
+    if (is_new) known->second = writer_.add_picture(scene_.pictures.at(picture));
     return known->second;
   }
 
@@ -139,8 +163,10 @@ class TileWriter {
   const Scene& scene_;
   const LightFile* lights_;
   glm::dvec3 origin_;
+  LampForm form_;
   SceneWriter writer_;
-  std::map<std::uint32_t, std::uint32_t> materials_, features_, light_features_, meshes_;
+  std::map<std::uint32_t, std::uint32_t> ies_profiles_, materials_, pictures_, features_,
+      light_features_, meshes_;
   std::map<std::pair<std::string, std::uint32_t>, ScenePrimitive> luminous_;  // by name, material
 };
 
@@ -154,7 +180,7 @@ void ModelBox::add(const glm::dvec3& p) {
 void write_tile(const Scene& scene, const LightFile* lights, const TileParts& tile,
                 const glm::dvec3& origin, const std::filesystem::path& path,
                 const TilesetOptions& options, TilesetReport& report) {
-  TileWriter writer(scene, lights, origin, path);
+  TileWriter writer(scene, lights, origin, path, options.lamps);
   writer.add_parts(tile.parts);
   const double time_s = night_begin_s + 60.0 * options.shown_minute;
   for (const std::size_t lamp : tile.lamps) {

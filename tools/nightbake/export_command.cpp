@@ -3,8 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <system_error>
 
 #include "formats/error.h"
@@ -84,6 +86,13 @@ void add_export_command(CLI::App& app) {
                    "3D Tiles: height of the geoid above WGS 84's ellipsoid there, m")
       ->capture_default_str()
       ->check(program::number_from(-200, 200));
+  command
+      ->add_option("--lamps", arguments->tiles.lamps,
+                   "3D Tiles: lamps as points and spots (punctual, KHR_lights_punctual), or those "
+                   "with a luminaire's profile by it (ies, EXT_lights_ies)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, exports::LampForm>{
+          {"punctual", exports::LampForm::punctual}, {"ies", exports::LampForm::ies}}))
+      ->default_str("punctual");
   command->footer(
       "Examples:\n  nightbake export out/berlin -o lights.gpkg\n  nightbake export out/berlin -o "
       "tiles --geoid 39.5");

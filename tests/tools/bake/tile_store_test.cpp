@@ -29,7 +29,7 @@ TEST(TileStore, KeepsCoordinatesToATenthOfAMillimetreFarFromTheOrigin) {
   store.add({&one, 1}, 3);
   ASSERT_EQ(store.tiles().size(), 1u);
   const TileKey key = store.tiles()[0];
-  const SceneMesh mesh = store.mesh(key);
+  const SceneMesh mesh = store.mesh(key).mesh;
   ASSERT_EQ(mesh.primitives.size(), 1u);
   for (int i = 0; i < 3; ++i)
     EXPECT_LT(
@@ -68,7 +68,7 @@ TEST(TileStore, LosesNoTriangleAndKeepsTheirOrder) {
   }
   std::size_t found = 0;
   for (const TileKey& key : store.tiles()) {
-    const SceneMesh mesh = store.mesh(key);
+    const SceneMesh mesh = store.mesh(key).mesh;
     for (const ScenePrimitive& primitive : mesh.primitives) {
       found += primitive.indices.size() / 3;
       std::uint32_t last = 0;
@@ -94,7 +94,7 @@ TEST(TileStore, WeldsEqualVerticesOfOneObjectOnly) {
                                      {{a, c, d}, to_code(BakeMaterial::wall), NodeKind::city}};
   store.add(square, 0);
   store.add(square, 1);
-  const SceneMesh mesh = store.mesh(store.tiles().at(0));
+  const SceneMesh mesh = store.mesh(store.tiles().at(0)).mesh;
   EXPECT_EQ(mesh.primitives.at(0).positions.size(), 8u);
   EXPECT_EQ(mesh.primitives.at(0).indices.size(), 12u);
 }

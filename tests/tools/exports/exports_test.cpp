@@ -4,6 +4,8 @@
 #include <ogrsf_frmts.h>
 
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <nlohmann/json.hpp>
@@ -13,11 +15,13 @@
 #include "formats/scene_reader.h"
 #include "support/temp_folder.h"
 #include "tools/bake/bake.h"
+#include "tools/exports/ies_text.h"
 #include "tools/exports/light_layer.h"
 #include "tools/exports/light_texts.h"
 #include "tools/exports/place_on_earth.h"
 #include "tools/exports/tileset.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/lights/luminaire.h"
 #include "tools/nightbake/sample_city.h"
 
 namespace nightcity::exports {
@@ -108,6 +112,63 @@ TEST(Exports, PlacesOnTheEarthAreWhereGeodesyPutsThem) {
     EXPECT_NEAR(glm::distance(apply(offset), truth), 0, 0.02) << "curvature: 1 cm over 350 m";
   }
   EXPECT_THROW(PlaceOnEarth("", place, 0), Error);
+}
+
+// Our own reader of luminaire files finds the profile in the text, C turned round (light.h), and
+// nothing beyond the last angle.
+TEST(Exports, ALuminaireFileHoldsTheProfile) {
+  const TempFolder folder;
+  for (const auto& [planes, extent] :
+       {std::pair(1u, 90.0f), {1u, 60.0f}, {6u, 120.0f}, {4u, 180.0f}}) {
+    constexpr std::uint32_t rows = 13;
+    const LightProfile profile{planes, rows, 2, extent};
+    std::vector<float> data{-1, -1};
+    for (std::uint32_t c = 0; c < planes; ++c)
+      for (std::uint32_t g = 0; g < rows; ++g)
+        data.push_back(0.1f + 0.01f * float(c * c) + 0.02f * float(g));
+    write_text(folder / "lamp.ies", to_ies_text(profile, data));
+    const lights::Luminaire read = lights::read_ies(folder / "lamp.ies");
+    EXPECT_TRUE(read.notes.empty());
+    for (std::uint32_t c = 0; c < planes; ++c)
+      for (std::uint32_t g = 0; g < rows; ++g)
+        EXPECT_NEAR(lights::intensity_at(read.grid, 360.0 * (planes - c) / planes,
+                                         double(extent) * g / (rows - 1)),
+                    1000 * double(data[2 + c * rows + g]), 1e-3)
+            << planes << " planes, " << c << ", " << g;
+    if (extent < 180) {
+      EXPECT_EQ(lights::intensity_at(read.grid, 0, double(extent) + 0.01), 0);
+    }
+  }
+}
+
+TEST(Exports, LampsHaveTheirProfileOnRequest) {
+  const TempFolder folder;
+  bake_city(folder);
+  const Scene scene = read_scene(folder / "out/city.glb");
+  const LightFile lights = LightFile::open(folder / "out/city.lights");
+  TilesetOptions options;
+  options.lamps = LampForm::ies;
+  const TilesetReport report = write_tileset(scene, &lights, folder / "tiles", options);
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "tiles/tiles")) {
+    const std::string glb = read_text(entry.path());
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.data() + 12, sizeof length);
+    const json root = json::parse(glb.substr(20, length));
+    for (const json& node : root["nodes"]) {
+      if (!node.contains("extensions") || !node["extensions"].contains("EXT_lights_ies")) continue;
+      ++found;
+      const json& light = node["extensions"]["EXT_lights_ies"];
+      const json& profile =
+          root["extensions"]["EXT_lights_ies"]["lights"][light["light"].get<std::size_t>()];
+      EXPECT_EQ(profile["mimeType"], "application/x-ies-lm-63");
+      EXPECT_GT(light["multiplier"].get<double>(), 0);
+      // The lamp looks down: -z of its node is -y of the tile.
+      const auto q = node["rotation"].get<std::vector<double>>();
+      EXPECT_NEAR(2 * (q[1] * q[2] - q[3] * q[0]), 1, 0.1);
+    }
+  }
+  EXPECT_EQ(found, report.lights);
 }
 
 TEST(Exports, TilesHoldEveryTriangleFeatureAndLamp) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "tools/bake/city/surface_pictures.h"
 #include "tools/city/city_model.h"
 #include "tools/lights/building_use.h"
 #include "tools/lights/windows.h"
@@ -28,6 +29,7 @@ struct PreparedObject {
   std::optional<lights::BuildingUse> use;
   /// Walls and windows, where they have been looked for while a part of the city was read.
   std::shared_ptr<const lights::WindowLayout::WindowBatch> windows;
+  SurfacePictures pictures;
 };
 
 class CityConsumer {

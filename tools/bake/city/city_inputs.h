@@ -35,6 +35,7 @@ struct CityInputs {
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
   /// By which corners that are left out may lie off the outlines of buildings, m; 0: all stay.
   double simplify_m = 0;
+  double texels_per_m = 5;  // of pictures on surfaces, at most
   GroundOptions ground;
   CoverOptions cover;
   /// The result of an earlier look at all inputs: the city does not look again, and reads only the

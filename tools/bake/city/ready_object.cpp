@@ -119,7 +119,8 @@ ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& fram
           inputs.files.size() > 1,
           inputs.read.polygon,
           inputs.simplify_m,
-          inputs.ground.max_error_m};
+          inputs.ground.max_error_m,
+          inputs.texels_per_m};
 }
 
 ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadySettings& settings) {
@@ -147,18 +148,23 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
   } else if (settings.heights && !stand_on_ground(object, *settings.heights)) {
     result.unusable = Unusable::without_ground;
   } else {
+    const PictureLayout pictures(object);
     if (object.type == city::ObjectType::building)
       result.report.corners_left_out += mesh::simplify_outlines(object, settings.simplify_m);
     // Shells first: which way is out decides what is a roof and which side of a wall has windows.
     mesh::repair_shells(object, result.report);
     mesh::classify_unknown_surfaces(object);
     prepared->mesh = mesh::triangulate(object, result.report, settings.polygon);
-    if (object.type == city::ObjectType::relief && settings.max_error_m > 0 && !is_coloured(object))
+    if (object.type == city::ObjectType::relief && settings.max_error_m > 0 &&
+        !is_coloured(object) && pictures.empty())
       thin(prepared->mesh, settings.max_error_m, result.report);
+    if (!pictures.empty())
+      prepared->pictures = pictures.lay_out(prepared->mesh, object, settings.texels_per_m);
     if (prepared->mesh.triangles.empty()) result.unusable = find_cause(result.report);
   }
   prepared->tree = trees::find_model_tree(object, &prepared->no_tree);
   prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;
+  for (city::Polygon& polygon : object.polygons) polygon.picture.reset();
   prepared->object = std::move(object);
   result.prepared = prepared;
   return result;

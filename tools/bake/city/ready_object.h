@@ -51,6 +51,7 @@ struct ReadySettings {
   city::PolygonLimits polygon{};
   double simplify_m = 0;   // of buildings: CityInputs
   double max_error_m = 0;  // of relief: GroundOptions
+  double texels_per_m = 0;
 };
 ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& frames,
                                 const GroundHeights* heights);

@@ -140,12 +140,20 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                    "and counted. Triangulating one takes some 400 bytes a point."),
        choice_key<city::Textures>(
            "textures", city.read.textures,
-           {{"none", city::Textures::none}, {"mean", city::Textures::mean}},
-           "`mean`: surfaces of CityGML reflect the mean of the picture that "
+           {{"none", city::Textures::none},
+            {"mean", city::Textures::mean},
+            {"atlas", city::Textures::atlas}},
+           "`mean`: surfaces of CityGML and CityJSON reflect the mean of the picture that "
            "the file lays on them, where that lies beside the file as PNG or "
            "JPEG. Pictures are unpacked within the budget that SECURITY.md "
            "states; how many, a note says. Colours have 32 steps a channel, "
-           "and each is a material of its own."),
+           "and each is a material of its own. `atlas`: they reflect the picture "
+           "itself, packed into a few for each tile. The walls of a building are "
+           "made alike in mean luminance, and its roofs, so that the sun in the "
+           "pictures is not the night's."),
+       number_key("texels_per_m", city.texels_per_m, {0.1, 100}, "",
+                  "`textures = \"atlas\"`: so many texels of a picture lie along a metre of a "
+                  "surface, at most. Twice as many take four times the room."),
        flag_key("drop_ground", city.drop_ground,
                 "Leaves out the ground surfaces under buildings, which nobody sees."),
        flag_key("drop_hidden", city.drop_hidden,

@@ -35,7 +35,8 @@ struct Recipe {
     std::optional<std::array<double, 4>> bounds;
     city::ReadOptions read;
     double tile_m = 250;
-    double simplify_m = 0;  // as CityInputs'
+    double simplify_m = 0;    // as CityInputs'
+    double texels_per_m = 5;  // as CityInputs'
     bool drop_ground = false;
     bool drop_hidden = false;
     bool skins = true;

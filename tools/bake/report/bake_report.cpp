@@ -158,6 +158,11 @@ std::string surfaces_in_words(const BakeReport& report) {
     text += report_line("horizon", "left out: " + report.horizon.left_out);
   if (tiles.colours)
     text += report_line("colours", fmt::format("{} of the model's own materials", tiles.colours));
+  if (const TextureReport& t = tiles.textures; t.pictures)
+    text += report_line("textures",
+                        fmt::format("{} surfaces in {} pictures: {:.1f} megatexels, {:.1f} MB",
+                                    t.surfaces, t.pictures, static_cast<double>(t.texels) / 1e6,
+                                    static_cast<double>(t.bytes) / 1e6));
   return text + to_text(tiles.skins);
 }
 
@@ -240,6 +245,12 @@ json to_json(const BakeReport& report) {
         {"triangles", report.horizon.triangles},
         {"left_out", report.horizon.left_out}}},
       {"colours", report.tiles.colours},
+      {"textures",
+       {{"surfaces", report.tiles.textures.surfaces},
+        {"triangles", report.tiles.textures.triangles},
+        {"pictures", report.tiles.textures.pictures},
+        {"texels", report.tiles.textures.texels},
+        {"bytes", report.tiles.textures.bytes}}},
       {"skins", to_json(report.tiles.skins)},
       {"draped_triangles", report.tiles.draped},
       {"gaps",

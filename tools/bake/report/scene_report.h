@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -9,10 +10,18 @@
 
 namespace nightcity::bake {
 
+/// Pictures on surfaces.
+struct TextureReport {
+  std::size_t surfaces = 0, triangles = 0;  // under pictures
+  std::size_t pictures = 0;                 // of the scene
+  std::uint64_t texels = 0, bytes = 0;      // of these
+};
+
 struct SceneTilesReport {
   std::map<std::string, std::size_t> triangles;  // by material, as written
   std::map<std::string, std::size_t> left_out;   // triangles, by reason
   std::size_t colours = 0;                       // materials that the model itself names
+  TextureReport textures;
   SkinReport skins;
   std::map<std::string, double> cover_m2;  // in plan, by what the ground is covered with
   double bare_m2 = 0;                      // in plan: ground near it that nothing covers

@@ -35,7 +35,7 @@ std::vector<Triangle> cover_top(const DeckSurface& surface, const ground_cover::
   const glm::dvec3 origin = surface.points.front();
   std::vector<Stored> stored;
   for (const auto& t : surface.triangles) {
-    Stored triangle{{}, to_code(BakeMaterial::terrain), no_id, 0};
+    Stored triangle{{}, to_code(BakeMaterial::terrain), no_id, 0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 p = surface.points[t[k]] - origin;
       triangle.corners[k] = glm::vec3(glm::dvec3(p.x, p.z, -p.y));

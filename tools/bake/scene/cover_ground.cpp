@@ -110,6 +110,7 @@ class Coverer {
                                  to_plan(triangle.corners[2])) /
                                 3.0;
       Stored made = triangle;
+      made.picture = 0;  // its corners are others
       const Surface* surface = find_surface(areas.find(middle));
       const std::uint32_t ramp = ramps.find(middle);
       apply(surface, markings.find(middle), made);
@@ -135,6 +136,7 @@ class Coverer {
                                  plan.points[piece.vertex[2]]) /
                                 3.0;
       Stored made = cut[owners[2]];
+      made.picture = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec2& p = plan.points[piece.vertex[k]];
         double& shared = heights_[piece.vertex[k]];
@@ -258,7 +260,7 @@ class Coverer {
                     a_high = corner(low.a, high), b_high = corner(low.b, high);
     const auto add = [&](const glm::vec3& p, const glm::vec3& q, const glm::vec3& r) {
       if (p != q && q != r && r != p)
-        out_.push_back({{p, q, r}, to_code(GroundKind::kerb), no_id, 0});
+        out_.push_back({{p, q, r}, to_code(GroundKind::kerb), no_id, 0, 0});
     };
     add(a_low, a_high, b_high);
     add(a_low, b_high, b_low);

@@ -97,6 +97,15 @@ std::uint32_t MaterialTable::find_index(MaterialCode code) {
   return known->second;
 }
 
+std::uint32_t MaterialTable::add_pictured(MaterialCode code, std::uint32_t picture) {
+  SceneMaterial material = find_material(code);
+  material.name += " picture " + std::to_string(picture);
+  material.texture.emplace();
+  material.texture->picture = picture;
+  material.texture->wrap_u = material.texture->wrap_v = TextureWrap::clamp;
+  return writer_.add_material(material);
+}
+
 std::uint32_t MaterialTable::find_coloured(MaterialCode code) {
   const auto found = coloured_.find(code);
   if (found != coloured_.end()) return found->second;

@@ -60,6 +60,10 @@ constexpr MaterialCode to_code(barriers::BarrierMaterial material) {
   return static_cast<MaterialCode>(bake_material_count + ground_cover::ground_kind_count) +
          static_cast<MaterialCode>(material);
 }
+/// Returns the code of the material's kind, without colour or skin.
+constexpr MaterialCode to_kind(MaterialCode code) {
+  return code & 0x7F;
+}
 /// Returns the kind of ground of a material; none where it is of another kind.
 std::optional<ground_cover::GroundKind> to_ground_kind(MaterialCode code);
 /// Returns a code's material without the colour that a model gives it, and without its skin.
@@ -81,6 +85,8 @@ class MaterialTable {
   /// Returns the writer's index. When there are 2000 colours, the nearest of these is taken for any
   /// other: a model with a colour for each polygon stores a photograph in this way.
   std::uint32_t find_index(MaterialCode code);
+  /// Adds a material of the code's kind under a picture of the writer's.
+  std::uint32_t add_pictured(MaterialCode code, std::uint32_t picture);
   std::size_t colours() const { return coloured_.size(); }
 
  private:

@@ -25,7 +25,7 @@ void add_count(std::map<std::string, std::size_t>& counts, const char* name, std
 
 struct SceneTiles::WrittenTile {
   TileKey key;
-  SceneMesh mesh;
+  TileStore::TileMesh made;
   HiddenCounts hidden;
   CoverCounts cover;
 };
@@ -50,8 +50,8 @@ CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObjec
   std::optional<BuildingSkin> skin;
   if (options_.skins && is_building) skin = skinner_.find_skin(*prepared);
   return [this, prepared, skin,
-          triangles =
-              make_tile_triangles(prepared->mesh, prepared->object, drop)](bool continues) mutable {
+          triangles = make_tile_triangles(prepared->mesh, prepared->object, prepared->pictures,
+                                          drop)](bool continues) mutable {
     add_count(report_.left_out, "triangles of ground under buildings",
               prepared->mesh.triangles.size() - triangles.size());
     if (!continues) last_feature_ = add_feature(prepared->object);
@@ -59,7 +59,7 @@ CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObjec
     if (prepared->lacks_heights)
       drape_.add(triangles, last_feature_);
     else
-      tiles_.add(triangles, last_feature_, prepared->closed);
+      tiles_.add(triangles, last_feature_, prepared->closed, prepared->pictures.pieces);
   };
 }
 
@@ -123,7 +123,7 @@ SceneTilesReport SceneTiles::write(const Georeference& georeference, const City&
         hidden.between += tile.hidden.between;
         hidden.below += tile.hidden.below;
         count(tile.cover);
-        if (tile.mesh.primitives.empty()) return;
+        if (tile.made.mesh.primitives.empty()) return;
         write(std::move(tile), georeference);
         if (progress) progress({"writing tiles", ++done, "tiles", keys.size()});
       });
@@ -151,16 +151,30 @@ SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const City& city) 
     if (key.kind == NodeKind::terrain && !city.cover().empty())
       cover_ground(city.cover(), corner, triangles, tile.cover);
   };
-  tile.mesh = tiles_.mesh(key, change);
+  tile.made = tiles_.mesh(key, change);
   return tile;
 }
 
 void SceneTiles::write(WrittenTile&& tile, const Georeference& georeference) {
-  SceneMesh& mesh = tile.mesh;
-  for (ScenePrimitive& primitive : mesh.primitives) {
+  SceneMesh& mesh = tile.made.mesh;
+  std::vector<std::uint32_t> pictures;
+  for (const ScenePicture& picture : tile.made.pictures) {
+    pictures.push_back(writer_.add_picture(picture));
+    report_.textures.bytes += picture.size();
+  }
+  report_.textures.pictures += pictures.size();
+  report_.textures.surfaces += tile.made.pieces;
+  report_.textures.texels += tile.made.texels;
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    ScenePrimitive& primitive = mesh.primitives[i];
     const MaterialCode code = primitive.material;
     report_.triangles[find_material(code).name] += primitive.indices.size() / 3;
-    primitive.material = materials_.find_index(code);
+    if (primitive.texture_coordinates.empty()) {
+      primitive.material = materials_.find_index(code);
+      continue;
+    }
+    report_.textures.triangles += primitive.indices.size() / 3;
+    primitive.material = materials_.add_pictured(code, pictures[tile.made.picture_of_primitive[i]]);
   }
   SceneInstance instance;
   instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles_.origin(tile.key))), 1);

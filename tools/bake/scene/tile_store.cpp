@@ -6,34 +6,39 @@
 #include <span>
 
 #include "tools/bake/city/tile_grid.h"
+#include "tools/bake/scene/atlas.h"
 #include "tools/trees/model_tree.h"
 
 namespace nightcity::bake {
 namespace {
 
 // FNV-1a's multiplier over the words, and a final mix for the low bits.
-std::size_t make_hash(const glm::vec3& position) {
+std::size_t make_hash(const glm::vec3& position, const glm::vec2& place) {
   std::uint64_t hash = 0xCBF29CE484222325u;
-  for (int i = 0; i < 3; ++i)
-    hash = (hash ^ std::bit_cast<std::uint32_t>(position[i])) * 0x100000001B3u;
+  for (const float value : {position.x, position.y, position.z, place.x, place.y})
+    hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001B3u;
   return static_cast<std::size_t>(hash ^ hash >> 29);
 }
 
-// Joins equal vertices of one feature. Features follow each other, so only those of the present one
+// Joins equal vertices of one feature, where there are pictures those of one place in them.
+// Features follow each other, so only those of the present one
 // are looked up: in a small table, which stays in the cache, as one for the whole tile would not.
 class Welder {
  public:
   ScenePrimitive primitive;
 
-  std::uint32_t find_index(const glm::vec3& position, std::uint32_t feature) {
+  // `place`: in the picture, or null where there is none.
+  std::uint32_t find_index(const glm::vec3& position, std::uint32_t feature,
+                           const glm::vec2* place) {
     if (primitive.positions.empty() || feature != feature_) {
       feature_ = feature;
       first_ = primitive.positions.size();
       slots_.assign(64, 0);
     }
-    std::size_t slot = find(position);
+    std::size_t slot = find(position, place ? *place : glm::vec2(0));
     if (slots_[slot] != 0) return slots_[slot] - 1;
     primitive.positions.push_back(position);
+    if (place) primitive.texture_coordinates.push_back(*place);
     primitive.feature_ids.push_back(feature);
     const auto index = static_cast<std::uint32_t>(primitive.positions.size() - 1);
     slots_[slot] = index + 1;
@@ -42,18 +47,25 @@ class Welder {
   }
 
  private:
-  // Returns the slot where `position` is or belongs: linear probing in a table whose size is a
-  // power of two.
-  std::size_t find(const glm::vec3& position) const {
-    std::size_t slot = make_hash(position) & (slots_.size() - 1);
-    while (slots_[slot] != 0 && primitive.positions[slots_[slot] - 1] != position)
+  // Returns the slot where a vertex is or belongs: linear probing in a table whose size is a power
+  // of two.
+  std::size_t find(const glm::vec3& position, const glm::vec2& place) const {
+    std::size_t slot = make_hash(position, place) & (slots_.size() - 1);
+    while (slots_[slot] != 0 && !is(slots_[slot] - 1, position, place))
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;
+  }
+  bool is(std::size_t vertex, const glm::vec3& position, const glm::vec2& place) const {
+    return primitive.positions[vertex] == position && find_place(vertex) == place;
+  }
+  glm::vec2 find_place(std::size_t vertex) const {
+    const auto& places = primitive.texture_coordinates;
+    return places.empty() ? glm::vec2(0) : places[vertex];
   }
   void grow() {
     slots_.assign(4 * slots_.size(), 0);
     for (std::size_t i = first_; i < primitive.positions.size(); ++i)
-      slots_[find(primitive.positions[i])] = static_cast<std::uint32_t>(i + 1);
+      slots_[find(primitive.positions[i], find_place(i))] = static_cast<std::uint32_t>(i + 1);
   }
 
   std::uint32_t feature_ = 0;
@@ -78,6 +90,7 @@ MaterialCode find_plant_material(const city::CityObject& object) {
 
 std::vector<TileStore::Triangle> make_tile_triangles(const mesh::TriangleMesh& mesh,
                                                      const city::CityObject& object,
+                                                     const SurfacePictures& pictures,
                                                      bool leave_out_ground) {
   std::vector<TileStore::Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
@@ -92,6 +105,8 @@ std::vector<TileStore::Triangle> make_tile_triangles(const mesh::TriangleMesh& m
     if (triangle.polygon < object.polygons.size())
       if (const auto& colour = object.polygons[triangle.polygon].diffuse_colour)
         made.material = to_code(use.material, *colour);
+    const auto number = static_cast<std::size_t>(&triangle - mesh.triangles.data());
+    if (number < pictures.triangles.size()) made.picture = pictures.triangles[number];
   }
   return triangles;
 }
@@ -104,21 +119,30 @@ void add_mesh(TileStore& tiles, const mesh::TriangleMesh& mesh, city::ObjectType
 }
 
 TileStore::TileStore(const std::filesystem::path& path, double size_m, double base_height)
-    : size_m_(size_m), base_height_(base_height), tiles_(path) {}
+    : size_m_(size_m),
+      base_height_(base_height),
+      tiles_(path),
+      pictured_(path),
+      stored_pieces_(path),
+      pieces_(path) {}
 
 glm::dvec3 TileStore::origin(const TileKey& tile) const {
   return {tile.column * size_m_, tile.row * size_m_, base_height_};
 }
 
-void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature, bool solid) {
+void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature, bool solid,
+                    std::span<const PicturePiece> pieces) {
   if (triangles.empty()) return;
+  PieceNumbers numbers;
   ObjectTiles tiles(size_m_);
   for (const Triangle& triangle : triangles) tiles.add(triangle.corners);
   for (const Triangle& triangle : triangles) {
     const Tile tile = tiles.find_tile(triangle.corners);
     const TileKey key{tile.column, tile.row, triangle.kind};
     const glm::dvec3 corner = origin(key);
-    StoredTriangle stored{{}, triangle.material, feature, solid};
+    StoredTriangle stored{{}, triangle.material, feature, solid, 0};
+    if (triangle.picture.piece < pieces.size())
+      stored.picture = add_picture(key, triangle.picture, pieces, numbers) & 0x7FFFFFFFu;
     for (int i = 0; i < 3; ++i) {
       const glm::dvec3 local = triangle.corners[i] - corner;
       stored.corners[i] = glm::vec3(glm::dvec3(local.x, local.z, -local.y));
@@ -127,31 +151,90 @@ void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature, 
   }
 }
 
+// Returns the number of the picture on the triangle, from 1 on. A tile gets each piece once.
+std::uint32_t TileStore::add_picture(const TileKey& key, const PicturedTriangle& picture,
+                                     std::span<const PicturePiece> pieces, PieceNumbers& numbers) {
+  Counts& counts = counts_[key];
+  const auto [number, is_new] = numbers.try_emplace({key, picture.piece}, counts.pieces);
+  if (is_new) {
+    const PicturePiece& piece = pieces[picture.piece];
+    stored_pieces_.add(key, {pieces_.size(), piece.width, piece.height});
+    pieces_.write(piece.rgb.data(), piece.rgb.size());
+    ++counts.pieces;
+  }
+  PicturedTriangle stored = picture;
+  stored.piece = number->second;
+  pictured_.add(key, stored);
+  return ++counts.triangles;
+}
+
+std::vector<PicturePiece> TileStore::read_pieces(const TileKey& key) {
+  std::vector<PicturePiece> pieces;
+  for (const StoredPiece& stored : stored_pieces_.read(key)) {
+    PicturePiece& piece = pieces.emplace_back();
+    piece.width = static_cast<std::uint16_t>(stored.width);
+    piece.height = static_cast<std::uint16_t>(stored.height);
+    piece.rgb.resize(std::size_t{3} * stored.width * stored.height);
+    pieces_.read(stored.offset, piece.rgb.data(), piece.rgb.size());
+  }
+  return pieces;
+}
+
 std::vector<TileKey> TileStore::tiles() {
+  pictured_.keys();
+  stored_pieces_.keys();
+  pieces_.flush();
   return tiles_.keys();
 }
 
-SceneMesh TileStore::mesh(const TileKey& key, const Change& change) {
+TileStore::TileMesh TileStore::mesh(const TileKey& key, const Change& change) {
   std::vector<StoredTriangle> triangles = tiles_.read(key);
   if (change) change(triangles);
-  std::map<MaterialCode, Welder> welders;
+  TileMesh tile;
+  std::vector<PicturedTriangle> pictured;
+  Atlases atlases;
+  if (counts_.contains(key)) {
+    pictured = pictured_.read(key);
+    const std::vector<PicturePiece> pieces = read_pieces(key);
+    atlases = pack_atlases(pieces);
+    tile.pieces = pieces.size();
+  }
+  // Without its colour: under a picture that is the picture's mean.
+  const auto code_of = [](const StoredTriangle& triangle) {
+    return triangle.picture == 0 ? triangle.material : to_kind(triangle.material);
+  };
+  std::map<std::pair<std::uint32_t, MaterialCode>, Welder> welders;  // by 1 + picture, 0 = none
   for (const StoredTriangle& triangle : triangles) {
-    Welder& welder = welders[triangle.material];
+    const PicturedTriangle* picture =
+        triangle.picture == 0 ? nullptr : &pictured[triangle.picture - 1];
+    const Atlases::Place* at = picture ? &atlases.places[picture->piece] : nullptr;
+    Welder& welder = welders[{at ? at->picture + 1 : 0, code_of(triangle)}];
     std::uint32_t index[3];
-    for (int i = 0; i < 3; ++i) index[i] = welder.find_index(triangle.corners[i], triangle.feature);
+    for (int i = 0; i < 3; ++i) {
+      glm::vec2 place(0);
+      if (at)
+        place =
+            (glm::vec2(at->corner) + picture->places[i]) / glm::vec2(atlases.sizes[at->picture]);
+      index[i] = welder.find_index(triangle.corners[i], triangle.feature, at ? &place : nullptr);
+    }
     // Rounding to float can join corners: such a triangle has no area.
     if (index[0] == index[1] || index[1] == index[2] || index[2] == index[0]) continue;
     welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
   }
-  SceneMesh mesh;
+  SceneMesh& mesh = tile.mesh;
   mesh.name = std::string(name_of(key.kind)) + " " + std::to_string(key.column) + " " +
               std::to_string(key.row);
-  for (auto& [code, welder] : welders) {
+  for (auto& [key_of_welder, welder] : welders) {
     if (welder.primitive.indices.empty()) continue;
+    const auto [picture, code] = key_of_welder;
     welder.primitive.material = code;
     mesh.primitives.push_back(std::move(welder.primitive));
+    tile.picture_of_primitive.push_back(picture == 0 ? 0 : picture - 1);
   }
-  return mesh;
+  for (const glm::ivec2& size : atlases.sizes)
+    tile.texels += static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+  tile.pictures = std::move(atlases.pictures);
+  return tile;
 }
 
 }  // namespace nightcity::bake

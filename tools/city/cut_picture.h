@@ -1,0 +1,29 @@
+// Cuts out of a texture what lies on one polygon.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <vector>
+
+#include "formats/picture_mean.h"
+#include "tools/city/city_model.h"
+
+namespace nightcity::city {
+
+/// The pixels that the pictures of one object may have, together: what is on the way through the
+/// program stays small, whatever a file says.
+constexpr std::int64_t max_object_pixels = std::int64_t{1} << 24;
+
+/// Returns the box of the picture around `places`, which are texture coordinates from the lower
+/// left corner, 1 being the picture's width and height, beyond which it repeats. A box of more than
+/// 2048 pixels a side is made smaller. Null where a coordinate is no number or beyond a thousand
+/// repetitions, or where `pixels_left`, from which it takes its own, does not suffice.
+std::shared_ptr<const SurfacePicture> cut_picture(const Picture& picture,
+                                                  const std::vector<glm::dvec2>& places,
+                                                  std::int64_t& pixels_left);
+
+/// Turns the rings of a polygon round, and its picture with them.
+void reverse_rings(Polygon& polygon);
+
+}  // namespace nightcity::city
