@@ -19,12 +19,12 @@ namespace nightcity::test {
 namespace {
 
 using Pixel = std::array<unsigned char, 3>;
-constexpr int side = 64, square = 8;  // texels of the picture, and of a field of the chequer
+constexpr int picture_side = 64, field_side = 8;  // texels of the picture, and of a field of it
 constexpr float half_m = 20;
 constexpr Pixel light_field{200, 120, 60}, dark_field{90, 90, 30};
 
 bool is_light(int x, int y) {
-  return (x / square + y / square) % 2 == 0;
+  return (x / field_side + y / field_side) % 2 == 0;
 }
 
 double reflectance(const Pixel& pixel) {
@@ -36,9 +36,10 @@ double reflectance(const Pixel& pixel) {
 SceneBuilder chequered_ground(float repeats = 1) {
   SceneBuilder builder;
   builder.ground(half_m);
-  const std::string png = make_rgb_png(side, side, [](std::size_t x, std::size_t y) {
-    return is_light(static_cast<int>(x), static_cast<int>(y)) ? light_field : dark_field;
-  });
+  const std::string png =
+      make_rgb_png(picture_side, picture_side, [](std::size_t x, std::size_t y) {
+        return is_light(static_cast<int>(x), static_cast<int>(y)) ? light_field : dark_field;
+      });
   Scene& scene = builder.scene();
   const auto bytes = std::as_bytes(std::span(png));
   scene.pictures.emplace_back(bytes.begin(), bytes.end());
@@ -56,11 +57,11 @@ struct Texel {
   bool is_inside;  // by a texel and a half of a field: nothing of its neighbours is mixed in
 };
 Texel texel_at(const std::vector<float>& points, std::size_t pixel) {
-  const float x = (points[3 * pixel] + half_m) / (2 * half_m) * side,
-              y = (points[3 * pixel + 2] + half_m) / (2 * half_m) * side;
+  const float x = (points[3 * pixel] + half_m) / (2 * half_m) * picture_side,
+              y = (points[3 * pixel + 2] + half_m) / (2 * half_m) * picture_side;
   const auto within = [](float at) {
-    const float in_field = std::fmod(at, float(square));
-    return in_field > 1.5f && in_field < square - 1.5f;
+    const float in_field = std::fmod(at, float(field_side));
+    return in_field > 1.5f && in_field < field_side - 1.5f;
   };
   return {static_cast<int>(x), static_cast<int>(y), within(x) && within(y)};
 }
