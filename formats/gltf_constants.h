@@ -40,7 +40,7 @@ constexpr const char* colour_attribute = "COLOR_0";
 inline std::string texture_attribute(std::uint32_t set) {
   return "TEXCOORD_" + std::to_string(set);
 }
-// Of vertices and instances.
+// This attribute of vertices and instances is an index into the table of features.
 constexpr const char* feature_attribute = "_FEATURE_ID_0";
 // This attribute of vertices and instances is an index into city.lights.
 constexpr const char* light_attribute = "_LIGHT";

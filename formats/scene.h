@@ -21,7 +21,7 @@ constexpr std::uint32_t no_id = 0xFFFFFFFFu;  // no feature, no light, no vehicl
 /// A picture as it lies in the file: a PNG or JPEG, sRGB.
 using ScenePicture = std::vector<std::byte>;
 
-/// How a picture goes on beyond its edges.
+/// A picture goes on so beyond its edges.
 enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
 
 /// A picture on the surfaces of a material, by their vertices' texture coordinates.

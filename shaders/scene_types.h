@@ -178,7 +178,7 @@ struct SceneBuffers {
   BUFFER(Triangles) triangles;
   BUFFER(Instances) instances;
   BUFFER(Materials) materials;
-  // Where there are textures.
+  // These four are empty in scenes without textures.
   BUFFER(Textures) textures;
   BUFFER(Words) texels;
   BUFFER(CornersOfTriangles) texture_corners;  // parallel to triangles

@@ -54,7 +54,7 @@ class GeometryReader {
     std::vector<Semantics> semantics;
     const glm::vec3* colour = nullptr;  // of the whole geometry
   };
-  // What belongs to a surface, or to those below a level of "boundaries"; null: nothing.
+  // These belong to a surface, or to those below a level of "boundaries"; null: there are none.
   struct Beside {
     const dom::element *semantics = nullptr, *material = nullptr, *texture = nullptr;
   };

@@ -92,7 +92,7 @@ class TexturesTest : public testing::Test {
   BakeReport report;
 };
 
-// What a scene shows at a place of its walls, (metres east, metres up) from a corner.
+// Looks up the colour of a scene at places of its walls: (metres east, metres up) from a corner.
 class Walls {
  public:
   explicit Walls(const Scene& scene) : scene_(scene) {

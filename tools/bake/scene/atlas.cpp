@@ -21,7 +21,8 @@ namespace nightcity::bake {
 namespace {
 
 constexpr int max_side = 2048;
-// Of 100. Above 90 the encoder keeps all of the colour's detail, for a third more bytes.
+// The scale ends at 100. Above 90 the encoder keeps all of the colour's detail, for a third more
+// bytes.
 constexpr int jpeg_quality = 85;
 
 int with_margins(int texels) {
