@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "formats/srgb.h"
+
 namespace nightcity {
 
 glm::dvec2 planckian_xy(double kelvin) {
@@ -39,9 +41,7 @@ std::optional<glm::vec3> rec709_from_hex(std::string_view text) {
     const char* from = text.data() + 1 + 2 * channel;
     const auto [end, error] = std::from_chars(from, from + 2, value, 16);
     if (error != std::errc() || end != from + 2) return std::nullopt;
-    const double encoded = value / 255.0;  // IEC 61966-2-1
-    linear[channel] =
-        encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    linear[channel] = linear_from_srgb(value / 255.0);
   }
   const double luminance = 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
   if (luminance <= 0) return std::nullopt;
@@ -52,9 +52,7 @@ std::string to_hex(const glm::vec3& rec709) {
   const double brightest = std::max({rec709.r, rec709.g, rec709.b});
   std::string text = "#";
   for (int channel = 0; channel < 3; ++channel) {
-    const double linear = rec709[channel] / brightest;  // IEC 61966-2-1
-    const double encoded =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    const double encoded = srgb_from_linear(rec709[channel] / brightest);
     const auto value = static_cast<unsigned>(std::lround(255 * encoded));
     for (const unsigned digit : {value / 16, value % 16}) text += "0123456789abcdef"[digit];
   }

@@ -60,7 +60,7 @@ SceneMaterial MaterialReader::read(std::size_t index) {
   result.roughness = static_cast<float>(older ? 1 - gltf::number(specular, "glossinessFactor", 1)
                                               : gltf::number(surface, "roughnessFactor", 1));
   result.double_sided = gltf::boolean(source, "doubleSided", false);
-  // What shines or is cut out has its colour by other rules, which the mean keeps.
+  // A material that shines or is cut out keeps the mean: other rules make its colour.
   if (!transparent && light == glm::dvec3(0) && in_range(factor)) {
     result.texture = find_texture(picture);
     if (result.texture) result.texture->factor = factor;

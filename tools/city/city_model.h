@@ -50,8 +50,8 @@ enum class ObjectType : std::uint8_t {
 struct SurfacePicture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;  // rows from above, sRGB, three bytes a pixel
-  /// Where the vertices lie in it, in pixels from its upper left corner: those of the exterior,
-  /// then those of each interior.
+  /// The places of the vertices in it, in pixels from its upper left corner: those of the exterior
+  /// come first, then those of each interior.
   std::vector<glm::dvec2> places;
 };
 

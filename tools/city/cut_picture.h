@@ -15,6 +15,12 @@ namespace nightcity::city {
 /// program stays small, whatever a file says.
 constexpr std::int64_t max_object_pixels = std::int64_t{1} << 24;
 
+/// Reasons, as readers count them, for which a polygon has no picture.
+constexpr const char* texture_misfit =
+    "texture: a ring has another number of texture coordinates than of vertices";
+constexpr const char* texture_not_cut =
+    "texture: its place in the picture is no number, or its object has too many pixels";
+
 /// Returns the box of the picture around `places`, which are texture coordinates from the lower
 /// left corner, 1 being the picture's width and height, beyond which it repeats. A box of more than
 /// 2048 pixels a side is made smaller. Null where a coordinate is no number or beyond a thousand

@@ -228,7 +228,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
   if (texture.is_whole())
     polygon.picture = texture.cut(*library_.pictures, skipped_, pixels_left_);
   else if (texture.is_misfit())
-    skipped_.add("texture: a ring has another number of texture coordinates than of vertices");
+    skipped_.add(city::texture_misfit);
   if (context.reversed) city::reverse_rings(polygon);
   add(std::move(polygon), context);
 }

@@ -118,8 +118,7 @@ std::shared_ptr<const city::SurfacePicture> PolygonTexture::cut(PictureColours& 
   if (part)
     pictures.count_laid_out();
   else
-    skipped.add(
-        "texture: its place in the picture is no number, or its object has too many pixels");
+    skipped.add(city::texture_not_cut);
   return part;
 }
 

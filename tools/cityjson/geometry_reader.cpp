@@ -307,9 +307,7 @@ void GeometryReader::read_texture(const dom::element& rings, city::Polygon& poly
     }
   }
   if (!picture) return;
-  if (places.size() != city::count_vertices(polygon))
-    return skipped_.add(
-        "texture: a ring has another number of texture coordinates than of vertices");
+  if (places.size() != city::count_vertices(polygon)) return skipped_.add(city::texture_misfit);
   const char* why = nullptr;
   const auto found = materials.pictures->find(*picture, why);
   if (!found) return skipped_.add(why);
@@ -321,9 +319,7 @@ void GeometryReader::read_texture(const dom::element& rings, city::Polygon& poly
   polygon.diffuse_colour = city::find_mean_step(*found, low, high);
   if (materials.textures != city::Textures::atlas) return;
   polygon.picture = city::cut_picture(*found, places, pixels_left_);
-  if (!polygon.picture)
-    skipped_.add(
-        "texture: its place in the picture is no number, or its object has too many pixels");
+  if (!polygon.picture) skipped_.add(city::texture_not_cut);
 }
 
 bool GeometryReader::read_polygon(const dom::element& rings, const Beside& beside,

@@ -13,6 +13,7 @@
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/city/plant_attributes.h"
+#include "tools/ring_area.h"
 
 namespace nightcity::trees {
 namespace {
@@ -96,24 +97,14 @@ std::vector<glm::dvec2> to_plan(const city::Ring& ring) {
   return plan;
 }
 
-// Returns twice the area of a ring in plan, positive where it faces upward.
-double find_area(const std::vector<glm::dvec2>& ring) {
-  double area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const glm::dvec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    area += a.x * b.y - a.y * b.x;
-  }
-  return area;
-}
-
 // Returns the plan of a cover's surfaces that face upward; of those that face downward where there
 // are no others, as in a file that winds them the wrong way.
 std::vector<std::vector<glm::dvec2>> find_outlines(const city::CityObject& object) {
-  constexpr double min_area_m2 = 0.1;  // what stands upright has none
+  constexpr double min_area_m2 = 0.05;  // what stands upright has none
   std::array<std::vector<std::vector<glm::dvec2>>, 2> found;
   for (const city::Polygon& polygon : object.polygons) {
     std::vector<glm::dvec2> exterior = to_plan(polygon.exterior);
-    const double area = find_area(exterior);
+    const double area = signed_area(exterior);
     if (!(std::abs(area) > min_area_m2)) continue;
     auto& rings = found[area > 0 ? 0 : 1];
     rings.push_back(std::move(exterior));

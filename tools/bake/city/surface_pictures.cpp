@@ -10,6 +10,8 @@
 
 #include "formats/finite.h"
 #include "formats/srgb.h"
+#include "tools/city/ring.h"
+#include "tools/ring_area.h"
 
 namespace nightcity::bake {
 namespace {
@@ -18,23 +20,6 @@ using Texel = std::array<double, 3>;  // linear light
 
 double luminance(const Texel& texel) {
   return 0.2126 * texel[0] + 0.7152 * texel[1] + 0.0722 * texel[2];
-}
-
-// Returns the sum of both halves of a fan's cross products: twice the area of a ring, as a vector.
-glm::dvec3 find_area2(const city::Ring& ring) {
-  glm::dvec3 sum(0);
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    sum += glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return sum;
-}
-
-double find_area2(const std::vector<glm::dvec2>& places, std::size_t count) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const glm::dvec2 a = places[i] - places[0], b = places[i + 1] - places[0];
-    sum += a.x * b.y - a.y * b.x;
-  }
-  return std::abs(sum);
 }
 
 // A picture at the size that the scene has it, in linear light.
@@ -134,8 +119,9 @@ PictureLayout::Placed PictureLayout::to_placed(const city::Polygon& polygon) {
       farthest([&](const glm::dvec3& p) { return glm::length(glm::cross(along, p - placed.at)); });
   const glm::dvec3 aside = vertices[c] - placed.at, n = glm::cross(along, aside);
   const double n2 = glm::dot(n, n);
-  placed.area_m2 = glm::length(find_area2(polygon.exterior)) / 2;
-  placed.pixels = find_area2(places, polygon.exterior.size()) / 2;
+  placed.area_m2 = glm::length(city::area_vector(polygon.exterior));
+  const auto end = places.begin() + static_cast<std::ptrdiff_t>(polygon.exterior.size());
+  placed.pixels = std::abs(signed_area({places.begin(), end}));
   if (!(n2 > 0)) return placed;
   const glm::dvec3 to_b = glm::cross(aside, n) / n2, to_c = glm::cross(n, along) / n2;
   for (int k = 0; k < 2; ++k)
