@@ -15,7 +15,9 @@
 namespace nightcity::scene {
 namespace {
 
-constexpr float max_entries = 16777216.0f;  // in the lists of all cells
+// Where lights lie evenly, a cell holds no more than an eighth of what it lists, so that its list
+// reaches beyond the lights above its corners.
+constexpr double entries_a_light = 8;
 // Cells cover places up to here, m: squares of distances stay finite. Lights beyond it are listed
 // in the cells at the rim, by their true distance.
 constexpr float max_coordinate_m = 1e7f;
@@ -121,7 +123,10 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
 
   gpu::LightGridShape& shape = grid.shape;
   const float extent_x = upper_x - lower_x, extent_z = upper_z - lower_z;
-  const float max_cells = max_entries / float(lists.listed);
+  const auto shining = static_cast<std::size_t>(
+      std::count_if(flux_lm.begin(), flux_lm.end(), [](float flux) { return flux > 0; }));
+  const auto max_cells = static_cast<float>(
+      std::max(double(lists.entries), entries_a_light * double(shining)) / lists.listed);
   shape.cell_m = std::max({lists.min_cell_m, std::sqrt(extent_x / max_cells * extent_z),
                            extent_x / 4096, extent_z / 4096});
   shape.origin_x = lower_x;
@@ -132,8 +137,6 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
       shape.cell_m * shape.cell_m / 4;  // a lamp right above the cell's centre stays finite
 
   const std::vector<LightBins> classes = sort_into_bins(lights, flux_lm, shape);
-  std::size_t shining = 0;
-  for (const float f : flux_lm) shining += f > 0;
   grid.cells.resize(std::size_t{shape.width} * shape.depth);
   // Room for full lists. Memory that is not written to takes no room.
   grid.entries.reserve(grid.cells.size() * std::min<std::size_t>(lists.listed, shining));

@@ -21,7 +21,8 @@ struct LightGrid {
 /// The size of a grid's cells and the length of their lists.
 struct LightLists {
   float min_cell_m;
-  std::uint32_t listed;  // lights per cell, at most
+  std::uint32_t listed;             // lights per cell, at most
+  std::uint32_t entries = 1 << 24;  // of all lists, at most, or 8 a light if that is more
 };
 
 /// The near grid: the lights that give a place most of its light.
@@ -36,7 +37,7 @@ constexpr LightLists far_lists{128, 4096};
 /// sampled in proportion to it. A cell lists its strongest lights. It lists fewer where the next
 /// weaker one is so close in strength that float rounding could confuse the two, because a shader
 /// decides membership by a threshold. Cells are larger than `lists` asks for where the lists could
-/// take more than 200 MB.
+/// have more entries (12 bytes each) than it allows.
 LightGrid build_light_grid(std::span<const Light> lights, LightLists lists);
 
 /// The same for lights whose fluxes at present are `flux_lm`, parallel to `lights`.

@@ -176,6 +176,34 @@ TEST(LightGrid, ALightAtTheEndOfTheNumbersLeavesTheOthersListed) {
   }
 }
 
+// However many lights there are: what lights a place most is in the list of its cell.
+TEST(LightGrid, ListsReachTheLightsAboveTheCornersOfTheirCells) {
+  constexpr int side = 200;
+  constexpr float apart_m = 10;
+  std::vector<Light> lights;
+  for (int z = 0; z < side; ++z)
+    for (int x = 0; x < side; ++x)
+      lights.push_back(lamp({float(x) * apart_m, 8, float(z) * apart_m}, 3000));
+  const scene::LightGrid grid = scene::build_light_grid(lights, {1, 256, 1 << 14});
+  EXPECT_LE(grid.entries.size(), 9 * lights.size());
+  const auto nearest = [](float place_m) {
+    return std::clamp(int(std::lround(place_m / apart_m)), 0, side - 1);
+  };
+  for (std::uint32_t z = 0; z < grid.shape.depth; ++z)
+    for (std::uint32_t x = 0; x < grid.shape.width; ++x) {
+      const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
+      std::set<std::uint32_t> listed;
+      for (std::uint32_t i = 0; i < cell.count; ++i)
+        listed.insert(grid.entries[cell.first + i].light);
+      for (const std::uint32_t corner : {0u, 1u, 2u, 3u}) {
+        const float at_x = grid.shape.origin_x + float(x + corner % 2) * grid.shape.cell_m,
+                    at_z = grid.shape.origin_z + float(z + corner / 2) * grid.shape.cell_m;
+        ASSERT_TRUE(listed.contains(std::uint32_t(nearest(at_z) * side + nearest(at_x))))
+            << x << ", " << z << ", corner " << corner;
+      }
+    }
+}
+
 TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
   std::vector<Light> lights = random_lamps(1000, 100, 2);
   lights.push_back(lamp({900000, 5, 900000}, 3000));

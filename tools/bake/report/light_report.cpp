@@ -67,7 +67,7 @@ std::string to_text(const inventory::InventoryReport& report) {
 LampReport to_report(const lights::LampSet& set, const City& city) {
   LampReport report{
       city.map().lamps.size(), set.lamps.size(), 0, set.left_out, set.notes, set.sources,
-      city.inventories()};
+      city.inventories(), {}};
   for (const lights::PlacedLamp& lamp : set.lamps) report.total_flux_lm += lamp.flux_lm;
   return report;
 }

@@ -123,7 +123,7 @@ std::optional<barriers::BarrierLine> find_pier(const City& city, const bridges::
   const double soffit_m = deck.height_at(s) - bridges::deck_m, half_m = pier_share * deck.half_m;
   const place::HeightAt height_at = city.height_at();
   const place::InsideBuilding inside = city.inside_footprint();
-  barriers::BarrierLine pier{{"pier", 0, pier_m, barriers::BarrierMaterial::concrete}};
+  barriers::BarrierLine pier{{"pier", 0, pier_m, barriers::BarrierMaterial::concrete}, {}};
   double lowest_m = soffit_m;
   for (const double share : {-1.0, 0.0, 1.0}) {
     const glm::dvec2 place = along.find_beside(s, share * half_m);

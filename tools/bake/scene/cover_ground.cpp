@@ -147,7 +147,7 @@ class Coverer {
       }
       const Surface* surface = find_surface(owners[0]);
       apply(surface, owners[1], made);
-      glm::dvec3 depth_m;
+      glm::dvec3 depth_m{0};
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t vertex = piece.vertex[k];
         depth_m[k] =
