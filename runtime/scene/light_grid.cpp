@@ -15,9 +15,6 @@
 namespace nightcity::scene {
 namespace {
 
-// Where lights lie evenly, a cell holds no more than an eighth of what it lists, so that its list
-// reaches beyond the lights above its corners.
-constexpr double entries_a_light = 8;
 // Cells cover places up to here, m: squares of distances stay finite. Lights beyond it are listed
 // in the cells at the rim, by their true distance.
 constexpr float max_coordinate_m = 1e7f;
@@ -125,8 +122,9 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
   const float extent_x = upper_x - lower_x, extent_z = upper_z - lower_z;
   const auto shining = static_cast<std::size_t>(
       std::count_if(flux_lm.begin(), flux_lm.end(), [](float flux) { return flux > 0; }));
-  const auto max_cells = static_cast<float>(
-      std::max(double(lists.entries), entries_a_light * double(shining)) / lists.listed);
+  const double entries =
+      std::max(double(lists.entries), double(lists.entries_a_light) * double(shining));
+  const auto max_cells = static_cast<float>(entries / lists.listed);
   shape.cell_m = std::max({lists.min_cell_m, std::sqrt(extent_x / max_cells * extent_z),
                            extent_x / 4096, extent_z / 4096});
   shape.origin_x = lower_x;

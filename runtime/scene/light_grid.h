@@ -21,12 +21,15 @@ struct LightGrid {
 /// The size of a grid's cells and the length of their lists.
 struct LightLists {
   float min_cell_m;
-  std::uint32_t listed;             // lights per cell, at most
-  std::uint32_t entries = 1 << 24;  // of all lists, at most, or 8 a light if that is more
+  std::uint32_t listed;  // lights per cell, at most
+  // Of all lists there are at most `entries` entries or, where it is more, this many a light: lights
+  // that lie evenly are then no more than listed / entries_a_light in a cell, so that its list
+  // reaches far beyond the lights above its corners.
+  std::uint32_t entries_a_light = 8, entries = 1 << 24;
 };
 
 /// The near grid: the lights that give a place most of its light.
-constexpr LightLists near_lists{16, 256};
+constexpr LightLists near_lists{16, 256, 16};
 /// The far grid: lights that matter only together, such as thousands of windows in the
 /// neighbourhood. Without it, a light for which the near grid has no room is sampled so seldom that
 /// its light shows as single bright pixels.

@@ -184,7 +184,7 @@ TEST(LightGrid, ListsReachTheLightsAboveTheCornersOfTheirCells) {
   for (int z = 0; z < side; ++z)
     for (int x = 0; x < side; ++x)
       lights.push_back(lamp({float(x) * apart_m, 8, float(z) * apart_m}, 3000));
-  const scene::LightGrid grid = scene::build_light_grid(lights, {1, 256, 1 << 14});
+  const scene::LightGrid grid = scene::build_light_grid(lights, {1, 256, 8, 1 << 14});
   EXPECT_LE(grid.entries.size(), 9 * lights.size());
   const auto nearest = [](float place_m) {
     return std::clamp(int(std::lround(place_m / apart_m)), 0, side - 1);
