@@ -21,9 +21,22 @@ std::string to_list_text(const dom::element& value) {
   return text;
 }
 
-// CityJSON keeps the names of CityGML's attributes; lengths are numbers of metres.
+// A length: a number of metres or, as converters from CityGML write it, {"value": 12, "uom": "ft"}.
+struct Measure {
+  std::string value, unit;
+};
+
+Measure to_measure(const dom::element& value) {
+  dom::object object;
+  if (value.get(object) != simdjson::SUCCESS) return {to_list_text(value), {}};
+  const auto number = find_member(object, "value");
+  return {number ? to_text(*number) : std::string(), std::string(find_text(object, "uom"))};
+}
+
+// CityJSON keeps the names of CityGML's attributes.
 bool read_plant(std::string_view name, const dom::element& value, city::Plant& plant) {
-  return city::set_plant_attribute(plant, to_lower(name), to_text(value));
+  const Measure measure = to_measure(value);
+  return city::set_plant_attribute(plant, to_lower(name), measure.value, measure.unit);
 }
 
 void read_attributes(const dom::object& object, city::CityObject& said,
@@ -41,7 +54,8 @@ void read_attributes(const dom::object& object, city::CityObject& said,
     } else if (repeats && value.get(values) == simdjson::SUCCESS) {
       for (const dom::element& one : values) city::set_attribute(said, field, to_text(one));
     } else {
-      city::set_attribute(said, field, to_list_text(value));
+      const Measure measure = to_measure(value);
+      city::set_attribute(said, field, measure.value, measure.unit);
     }
   }
   if (others > 0) skipped.add("attribute", others);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,18 +30,20 @@ std::uint64_t make_identity(const city::CityObject& object) {
 }
 
 void to_city_frame(const std::string* srs_name, std::size_t file, const CityFrames& frames,
-                   std::span<glm::dvec3> coordinates) {
+                   std::span<glm::dvec3> coordinates,
+                   const std::optional<glm::dvec3>& anchor = {}) {
   if (srs_name)
-    frames.to_city(*srs_name, coordinates);
+    frames.to_city(*srs_name, coordinates, anchor);
   else
-    frames.to_city(file, coordinates);
+    frames.to_city(file, coordinates, anchor);
 }
 
 void to_city_frame(city::CityObject& object, std::size_t file, const CityFrames& frames) {
   for (city::Polygon& polygon : object.polygons) {
     const std::string* name = polygon.srs_name.get();
-    to_city_frame(name, file, frames, polygon.exterior);
-    for (city::Ring& ring : polygon.interiors) to_city_frame(name, file, frames, ring);
+    to_city_frame(name, file, frames, polygon.exterior, polygon.anchor);
+    for (city::Ring& ring : polygon.interiors)
+      to_city_frame(name, file, frames, ring, polygon.anchor);
   }
   const std::string* name = object.points_srs_name.get();
   to_city_frame(name, file, frames, object.points);
