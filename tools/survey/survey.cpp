@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
@@ -147,12 +148,24 @@ SurveyedFile look_at(const fs::path& path) {
     return file;
   }
   if (attempt(look_at_format)) return file;
-  if (inventory::is_named_as_table(path) && attempt(look_at_table)) return file;
+  if (inventory::is_named_as_table(path)) {
+    const std::string as_other = std::exchange(why, {});
+    if (attempt(look_at_table)) return file;
+    // What a table lacks says more than that it is no city model; of JSON there are many kinds.
+    if (to_lower(path.extension().string()) == ".json" && why.find("is no table") != why.npos)
+      why = as_other;
+  }
   if (attempt(look_at_raster)) return file;
   file.use = Use::nothing;
   const std::string prefix = path.string() + ": ";
   file.what = why.starts_with(prefix) ? why.substr(prefix.size()) : why;
   return file;
+}
+
+// Returns the whole turns, in degrees, by which `longitude` is to be lowered to come next to
+// another.
+double turns_between(double other, double longitude) {
+  return 360 * std::round((longitude - other) / 360);
 }
 
 bool is_hidden(const fs::path& path) {
@@ -179,15 +192,20 @@ void list_files(const fs::path& path, std::set<fs::path>& files) {
 
 }  // namespace
 
-void Box::add(const glm::dvec2& lon_lat) {
+void Box::add(glm::dvec2 lon_lat) {
   if (!std::isfinite(lon_lat.x) || !std::isfinite(lon_lat.y)) return;
+  if (!empty()) lon_lat.x -= turns_between(least.x, lon_lat.x);
   least = glm::min(least, lon_lat);
   greatest = glm::max(greatest, lon_lat);
 }
 
 bool Box::is_near(const Box& other, double degrees) const {
-  return least.x - degrees <= other.greatest.x && other.least.x - degrees <= greatest.x &&
-         least.y - degrees <= other.greatest.y && other.least.y - degrees <= greatest.y;
+  if (empty() || other.empty()) return false;
+  const double middle = (other.least.x + other.greatest.x) / 2;
+  const double turns = turns_between((least.x + greatest.x) / 2, middle);
+  return least.x - degrees <= other.greatest.x - turns &&
+         other.least.x - turns - degrees <= greatest.x && least.y - degrees <= other.greatest.y &&
+         other.least.y - degrees <= greatest.y;
 }
 
 std::vector<SurveyedFile> survey_files(const std::vector<fs::path>& paths) {
