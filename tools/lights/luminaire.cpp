@@ -201,9 +201,14 @@ bool begins_as_eulumdat(std::string_view text) {
 
 Luminaire read_luminaire(const std::filesystem::path& file) {
   const TextLines lines(file);
-  if (begins_as_ies(lines.text()) || to_lower(file.extension().string()) == ".ies")
-    return read_ies(file);
-  return read_eulumdat(file);
+  if (begins_as_ies(lines.text())) return read_ies(file);
+  try {
+    return read_eulumdat(file);
+  } catch (const Error& error) {
+    if (begins_as_eulumdat(lines.text())) throw;
+    throw Error("", std::string(error.what()) +
+                        "; it has no TILT= line either, so it is neither EULUMDAT nor IES");
+  }
 }
 
 }  // namespace nightcity::lights

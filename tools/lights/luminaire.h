@@ -63,7 +63,7 @@ bool begins_as_eulumdat(std::string_view text);
 Luminaire read_ies(const std::filesystem::path& file);
 /// Reads EULUMDAT (.ldt) with any symmetry. Throws Error with the line.
 Luminaire read_eulumdat(const std::filesystem::path& file);
-/// Reads either, by content: IES files hold a TILT line. A file named .ies is read as one.
+/// Reads either, by content: IES files hold a TILT line.
 Luminaire read_luminaire(const std::filesystem::path& file);
 
 }  // namespace nightcity::lights

@@ -313,8 +313,8 @@ TEST_F(LuminaireForms, NamesInWindows1252AreReadAsUtf8) {
             "enleuchte \xE2\x82\xAC");
 }
 
-TEST_F(LuminaireForms, AFileNamedIesIsReadAsOne) {
-  EXPECT_NE(error_of("hello\n").find("no TILT= line"), std::string::npos);
+TEST_F(LuminaireForms, AFileOfNeitherFormatIsToldSo) {
+  EXPECT_NE(error_of("hello\n").find("neither EULUMDAT nor IES"), std::string::npos);
 }
 
 }  // namespace
