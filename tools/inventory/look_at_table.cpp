@@ -79,14 +79,20 @@ bool holds_points(OGRLayer& layer) {
   return false;
 }
 
+// Words for lamps and lighting in the languages of open portals.
+bool is_name_of_lamps(string_view text) {
+  constexpr std::array<string_view, 14> words{"lamp",      "light",    "lumin",  "leucht", "licht",
+                                              "clairage",  "lantern",  "latern", "latarn", "farol",
+                                              "belysning", "valaisin", "osvetl", "oswietl"};
+  const std::string name = to_lower(text);
+  return std::any_of(words.begin(), words.end(),
+                     [&](string_view word) { return name.find(word) != std::string::npos; });
+}
+
 // Rates how well a layer's name and columns speak of lamps.
 int rate_as_lamps(OGRLayer& layer) {
   constexpr int weight_of_name = 3;
-  const std::string name = to_lower(layer.GetName());
-  int rate = 0;
-  for (const string_view word : {"lamp", "light", "leucht", "luminaire", "lumin", "licht", "eclair",
-                                 "lantern", "laterne", "farol"})
-    if (name.find(word) != std::string::npos) rate = weight_of_name;
+  int rate = is_name_of_lamps(layer.GetName()) ? weight_of_name : 0;
   TableLook look;
   OGRFeatureDefn& columns = *layer.GetLayerDefn();
   for (int i = 0; i < columns.GetFieldCount(); ++i)
@@ -122,6 +128,7 @@ TableLook look_at_table(const std::filesystem::path& file) {
     if (!chosen || rate > best) chosen = layer;
     best = std::max(best, rate);
   }
+  look.speaks_of_lamps = best > 0 || is_name_of_lamps(file.stem().string());
   if (!chosen) return look;
   look.layer = city::to_valid_utf8(chosen->GetName());
   look.rows = chosen->GetFeatureCount(TRUE);

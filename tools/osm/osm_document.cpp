@@ -53,8 +53,14 @@ pugi::xml_document parse_osm_document(const std::string& text, const std::filesy
   return document;
 }
 
-std::optional<std::string> unpack_overpass(const std::filesystem::path& file) {
-  constexpr std::size_t root_bytes = 4096, max_bytes = std::size_t{1} << 30;
+std::optional<std::string> unpack_answer(const std::filesystem::path& file) {
+  // Maps shrink to a tenth or twentieth. A file made to unpack to much more is read in a stream.
+  constexpr std::uintmax_t least_bytes = 16 << 20, most_bytes = std::uintmax_t{1} << 30, ratio = 50;
+  constexpr std::size_t root_bytes = 4096;
+  std::error_code ignored;
+  const std::uintmax_t packed = std::filesystem::file_size(file, ignored);
+  const std::uintmax_t max_bytes =
+      std::clamp(ratio * std::min(packed, most_bytes), least_bytes, most_bytes);
   std::array<char, 4> mark{};
   std::ifstream(file, std::ios::binary).read(mark.data(), mark.size());
   const std::string_view start(mark.data(), mark.size());
@@ -66,7 +72,8 @@ std::optional<std::string> unpack_overpass(const std::filesystem::path& file) {
         is_gzip ? osmium::io::file_compression::gzip : osmium::io::file_compression::bzip2,
         descriptor);
     std::string text = source->read();
-    const bool is_answer = text.substr(0, root_bytes).find("Overpass") != std::string::npos;
+    const std::string_view root = std::string_view(text).substr(0, root_bytes);
+    const bool is_answer = root.find("Overpass") != root.npos || root.find("JOSM") != root.npos;
     for (std::string block; is_answer && text.size() <= max_bytes; text += block)
       if ((block = source->read()).empty()) break;
     source->close();
@@ -84,7 +91,7 @@ std::optional<pugi::xml_document> find_osm_document(const std::filesystem::path&
   stream.read(bytes.data(), bytes.size());
   if (is_xml({bytes.data(), static_cast<std::size_t>(stream.gcount())}))
     return load_osm_document(file);
-  if (const std::optional<std::string> text = unpack_overpass(file))
+  if (const std::optional<std::string> text = unpack_answer(file))
     return parse_osm_document(*text, file);
   return std::nullopt;
 }

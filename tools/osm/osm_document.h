@@ -21,11 +21,12 @@ pugi::xml_document load_osm_document(const std::filesystem::path& file);
 /// The same for a text that was unpacked from `file`.
 pugi::xml_document parse_osm_document(const std::string& text, const std::filesystem::path& file);
 
-/// Returns the text of a map packed by gzip or bzip2 that Overpass answered; none for every other
-/// file, and for an answer of more than 1 GB. Overpass' answers come in any order and hold places
-/// where libosmium allows none, so they have to be read whole. Throws Error where the packing is
+/// Returns the text of a map packed by gzip or bzip2 that Overpass answered or JOSM wrote; none for
+/// every other file, and for one that unpacks to more than 1 GB, or 16 MB and 50 times its size.
+/// These come in any order and hold places where libosmium allows none, so they have to be read
+/// whole. Throws Error where the packing is
 /// broken.
-std::optional<std::string> unpack_overpass(const std::filesystem::path& file);
+std::optional<std::string> unpack_answer(const std::filesystem::path& file);
 
 /// Returns the document of a map in plain XML, or in Overpass' packed; none for other files. Throws
 /// Error as the functions above do.

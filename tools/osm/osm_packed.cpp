@@ -59,7 +59,7 @@ void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
 
 void read_osm_packed(const std::filesystem::path& file, const std::string& format,
                      OsmCollector& collector) {
-  if (std::optional<std::string> text = unpack_overpass(file))
+  if (std::optional<std::string> text = unpack_answer(file))
     return collect_document(
         parse_osm_document(*text, file).child("osm"), file,
         [](std::ptrdiff_t) { return std::size_t{0}; }, collector);

@@ -63,6 +63,8 @@ class Planner {
       if (file.use != Use::map) continue;
       if (!has_place_)
         leave_out(file, "cannot be laid under a model that names no CRS: say it by [city] crs");
+      else if (file.box.empty())
+        leave_out(file, "holds neither lamps, streets nor buildings");
       else if (!plan_.box.empty() && !plan_.box.is_near(file.box, overlap_degrees))
         leave_out(file, plan_.cities.empty() ? "covers another place than the first map"
                                              : "covers another place than the model");

@@ -18,6 +18,7 @@
 #include "tools/inputs/read_city.h"
 #include "tools/inventory/look_at_table.h"
 #include "tools/inventory/read_inventory.h"
+#include "tools/lights/luminaire.h"
 #include "tools/osm/read_osm.h"
 #include "tools/terrain/elevation_model.h"
 
@@ -98,6 +99,13 @@ void look_at_table(SurveyedFile& file) {
     guess.crs = "EPSG:4326";
     file.what += "; names no CRS: longitude and latitude are assumed";
   }
+  // Trees and benches are points too.
+  if (!look.speaks_of_lamps) {
+    file.what +=
+        ": nothing in these names speaks of lamps; a table that holds some belongs in "
+        "[[lamps.inventories]]";
+    return;
+  }
   const inventory::Inventory read = inventory::read_inventory(guess);
   for (const osm::OsmLampNode& lamp : read.lamps) file.box.add(lamp.lon_lat);
   file.use = Use::inventory;
@@ -113,6 +121,12 @@ void look_at_raster(SurveyedFile& file) {
                           file.has_crs ? "" : ", names no CRS: that of the city is taken");
 }
 
+void look_at_luminaire(SurveyedFile& file, const std::string& format) {
+  const lights::Luminaire luminaire = lights::read_luminaire(file.path);
+  file.use = Use::luminaire;
+  file.what = fmt::format("{}, photometry of a luminaire of {:.0f} lm", format, luminaire.flux_lm);
+}
+
 void look_at_format(SurveyedFile& file) {
   const inputs::FileFormat& format = inputs::find_format(file.path);
   switch (format.kind) {
@@ -121,9 +135,7 @@ void look_at_format(SurveyedFile& file) {
     case inputs::FileKind::osm:
       return look_at_map(file);
     case inputs::FileKind::luminaire:
-      file.use = Use::luminaire;
-      file.what = std::string(format.name) + ", photometry of a luminaire";
-      return;
+      return look_at_luminaire(file, format.name);
     case inputs::FileKind::scene:
     case inputs::FileKind::lights:
       file.what = std::string(format.name) + ": a finished scene, not what one is made from";

@@ -97,13 +97,44 @@ TEST(Survey, OfSeveralLayersTheOneOfLampsIsTaken) {
   EXPECT_EQ(files[0].inventory->layer, "street_lights");
 }
 
+TEST(Survey, PointsThatNothingCallsLampsAreNone) {
+  const TempFolder folder;
+  const std::string point =
+      "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{"
+      "\"height\":9},"
+      "\"geometry\":{\"type\":\"Point\",\"coordinates\":[13.394231,52.510439]}}]}";
+  write_text(folder / "trees.geojson", point);
+  write_text(folder /
+                 "Stra\xC3\x9F"
+                 "enlaternen.geojson",
+             point);
+  const auto files = survey_files({folder.path()});
+  EXPECT_EQ(find(files, "trees.geojson").use, Use::nothing);
+  EXPECT_NE(find(files, "trees.geojson").what.find("speaks of lamps"), std::string::npos);
+  EXPECT_EQ(find(files,
+                 "Stra\xC3\x9F"
+                 "enlaternen.geojson")
+                .use,
+            Use::inventory);
+}
+
+TEST(Survey, LuminairesAreRead) {
+  const TempFolder folder;
+  write_text(folder / "a.ies", "TILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 50\n0 90\n0\n100 100\n");
+  write_text(folder / "b.ies", "hello\n");
+  const auto files = survey_files({folder.path()});
+  EXPECT_EQ(find(files, "a.ies").use, Use::luminaire);
+  EXPECT_NE(find(files, "a.ies").what.find("628 lm"), std::string::npos);
+  EXPECT_EQ(find(files, "b.ies").use, Use::nothing);
+}
+
 TEST(Survey, ATableThatCannotBePlacedIsToldForThat) {
   const TempFolder folder;
   write_text(
-      folder / "metres.geojson",
+      folder / "lamps.geojson",
       "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{},"
       "\"geometry\":{\"type\":\"Point\",\"coordinates\":[391000,5819000]}}]}");
-  const auto files = survey_files({folder / "metres.geojson"});
+  const auto files = survey_files({folder / "lamps.geojson"});
   EXPECT_EQ(files.at(0).use, Use::nothing);
   EXPECT_NE(files[0].what.find("say the CRS"), std::string::npos) << files[0].what;
 }
