@@ -4,8 +4,10 @@
 
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/end_date.h"
 #include "tools/city/plant_attributes.h"
 #include "tools/citygml/tag_scanner.h"
+#include "tools/today.h"
 
 namespace nightcity::citygml {
 namespace {
@@ -120,6 +122,10 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
   GeometryContext context;
   context.srs_name = srs_name_;
   read_feature(element, what, context, raw);
+  if (!raw.has_ended) return;
+  skipped_.add(city::ended_object);
+  if (!raw.polygons.empty()) skipped_.add("polygon: of an object that ended", raw.polygons.size());
+  out.pop_back();
 }
 
 void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClass& what,
@@ -165,6 +171,10 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
         break;
       case PropertyKind::height:
         read_height(property, said);
+        break;
+      case PropertyKind::end_date:
+        raw.has_ended = raw.has_ended || (what.kind == ClassKind::top &&
+                                          city::is_past(property.child_value(), today()));
         break;
       case PropertyKind::name:
         break;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
 
 #include "tools/lights/is_one_of.h"
 #include "tools/osm/tag_values.h"
@@ -104,18 +102,6 @@ std::optional<Days> parse_days(string_view text) {
   if (!day_number || !text.empty()) return std::nullopt;
   const auto date = year(*number) / month_of / day(static_cast<unsigned>(*day_number));
   return date.ok() ? std::optional(Days{Day(date), Day(date)}) : std::nullopt;
-}
-
-Day today() {
-  using namespace std::chrono;
-  if (const char* text = std::getenv("SOURCE_DATE_EPOCH")) {
-    std::int64_t value = 0;
-    const char* end = text + std::strlen(text);
-    if (const auto [stop, error] = std::from_chars(text, end, value);
-        error == std::errc() && stop == end && std::abs(value) < 1'000'000'000'000)
-      return floor<days>(sys_seconds(seconds(value)));
-  }
-  return floor<days>(system_clock::now());
 }
 
 string_view find_outage(const osm::OsmTags& tags, Day day,

@@ -22,10 +22,6 @@ struct Days {
 /// other texts.
 std::optional<Days> parse_days(std::string_view text);
 
-/// Returns the day by which dates of maps are judged: that of the environment's SOURCE_DATE_EPOCH
-/// (https://reproducible-builds.org/specs/source-date-epoch), if it is set, otherwise this one.
-Day today();
-
 /// Returns why the lamp gives no light, in words for a report: "disused or demolished", "broken",
 /// "end_date past", "start_date ahead", "underground". Empty for a lamp that works. Values of these
 /// tags that are not understood are counted in `unread`.

@@ -10,6 +10,7 @@
 #include "tools/lights/lit_tag.h"
 #include "tools/osm/colour_words.h"
 #include "tools/osm/tag_values.h"
+#include "tools/today.h"
 
 namespace nightcity::lights {
 namespace {

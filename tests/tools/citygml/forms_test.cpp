@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "tests/tools/citygml/read_file.h"
+#include "tools/city/end_date.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/georeference/frame.h"
 
@@ -169,6 +171,27 @@ TEST(CityGmlForms, AMeasuredHeightHasItsUnit) {
         "b", "<bldg:measuredHeight uom=\"" + std::string(unit) + "\">10</bldg:measuredHeight>"));
     EXPECT_NEAR(city.objects.at(0).measured_height_m.value(), metres, 1e-12) << unit;
   }
+}
+
+TEST(CityGmlForms, WhatHasEndedIsLeftOutAndCounted) {
+  using namespace std::chrono;
+  const auto day = sys_days(2020y / May / 4);
+  for (const char* past : {"2019", " 1998 ", "2020-05-03", "2020-05-03T23:00:00Z", "2019Z"})
+    EXPECT_TRUE(city::is_past(past, day)) << past;
+  for (const char* text : {"2020", "2053", "2020-05-04", "2020-13-01", "", "soon", "9999-12-31"})
+    EXPECT_FALSE(city::is_past(text, day)) << text;
+  const auto read_with = [](const std::string& property) {
+    return read(city_model(member(building("a", property)) + member(building("b"))));
+  };
+  for (const char* property :
+       {"<core:terminationDate>2001-01-01</core:terminationDate>",
+        "<core:validTo>1990</core:validTo>", "<core:validTo>1990-02-03T00:00:00</core:validTo>"}) {
+    const City city = read_with(property);
+    EXPECT_EQ(city.objects.size(), 1u) << property;
+    EXPECT_EQ(city.report.skipped.at(city::ended_object), 1u);
+    EXPECT_EQ(city.report.skipped.at("polygon: of an object that ended"), 3u);
+  }
+  EXPECT_EQ(read_with("<core:validTo>9998</core:validTo>").objects.size(), 2u);
 }
 
 TEST(CityGmlForms, ABlockIsAsHighAsMeasuredInTheUnitOfItsHeights) {

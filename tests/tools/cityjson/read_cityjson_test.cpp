@@ -263,6 +263,21 @@ TEST(CityJson, APlantHasItsSizesAndStandsAtItsPointOrTemplate) {
   EXPECT_TRUE(read.find("f")->points.empty());
 }
 
+TEST(CityJson, WhatHasEndedIsLeftOutAndCounted) {
+  const auto read = [](const std::string& attributes) {
+    return read_city(
+        city_json(object("b", "Building", solid(), "\"attributes\":{" + attributes + "}") + "," +
+                  object("c", "Building", solid())));
+  };
+  for (const char* past : {"\"validTo\":1990", "\"terminationDate\":\"2001-02-03\""}) {
+    const City city = read(past);
+    ASSERT_EQ(city.objects.size(), 1u) << past;
+    EXPECT_EQ(city.objects[0].id, "c");
+    EXPECT_EQ(city.report.skipped.at("polygon: of an object that ended"), 6u);
+  }
+  EXPECT_EQ(read("\"validTo\":9998").objects.size(), 2u);
+}
+
 TEST(CityJson, AMeasureMayHaveAUnit) {
   for (const auto& [text, metres] :
        {std::pair("12.5", 12.5), std::pair("\"12.5\"", 12.5),
