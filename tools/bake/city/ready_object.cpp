@@ -38,6 +38,16 @@ void to_city_frame(const std::string* srs_name, std::size_t file, const CityFram
     frames.to_city(file, coordinates, anchor);
 }
 
+// Returns the reference point of the shape whose place `point` is; none where no shape has one.
+std::optional<glm::dvec3> find_anchor(const city::CityObject& object, const glm::dvec3& point) {
+  std::optional<glm::dvec3> nearest;
+  for (const city::Polygon& polygon : object.polygons)
+    if (polygon.anchor &&
+        (!nearest || glm::distance(*polygon.anchor, point) < glm::distance(*nearest, point)))
+      nearest = polygon.anchor;
+  return nearest;
+}
+
 void to_city_frame(city::CityObject& object, std::size_t file, const CityFrames& frames) {
   for (city::Polygon& polygon : object.polygons) {
     const std::string* name = polygon.srs_name.get();
@@ -46,7 +56,13 @@ void to_city_frame(city::CityObject& object, std::size_t file, const CityFrames&
       to_city_frame(name, file, frames, ring, polygon.anchor);
   }
   const std::string* name = object.points_srs_name.get();
-  to_city_frame(name, file, frames, object.points);
+  // A tree has a place for each of its levels of detail.
+  constexpr std::size_t most_places = 16;
+  if (object.plant && object.points.size() <= most_places)
+    for (glm::dvec3& point : object.points)
+      to_city_frame(name, file, frames, std::span(&point, 1), find_anchor(object, point));
+  else
+    to_city_frame(name, file, frames, object.points);
   for (city::Ring& line : object.lines) to_city_frame(name, file, frames, line);
 }
 
