@@ -78,7 +78,8 @@ TEST(BakeModelTrees, ModelsOfPartsHaveTheSameTrees) {
                         folder / "out", {1, 3});
 }
 
-// Shapes are in metres and places in degrees: trees stand 5 m east and north of their points.
+// Shapes are in metres and places in degrees: trees stand 5 m east and north of their points. They have
+// no ids, and stand on one line of the file.
 TEST(BakeModelTrees, TreesOfModelsInDegreesStandWhereTheirMatrixSays) {
   const auto surface = [](const std::string& places) {
     return "<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing><gml:posList>" + places +
@@ -97,7 +98,7 @@ TEST(BakeModelTrees, TreesOfModelsInDegreesStandWhereTheirMatrixSays) {
       "</gml:MultiSurface></luse:lod1MultiSurface></luse:LandUse></core:cityObjectMember>";
   for (const char* latitude : {"35.6801", "35.6805"})
     text +=
-        "\n<core:cityObjectMember><veg:SolitaryVegetationObject><veg:height uom=\"m\">9"
+        "<core:cityObjectMember><veg:SolitaryVegetationObject><veg:height uom=\"m\">9"
         "</veg:height><veg:lod2ImplicitRepresentation><core:ImplicitGeometry>"
         "<core:transformationMatrix>1 0 0 5 0 1 0 5 0 0 1 0 0 0 0 1"
         "</core:transformationMatrix><core:relativeGMLGeometry><gml:MultiSurface>" +
