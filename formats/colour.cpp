@@ -35,14 +35,17 @@ std::optional<glm::vec3> rec709_from_hex(std::string_view text) {
     for (const char digit : text.substr(1)) doubled += {digit, digit};
   if (text.size() == 4 && text[0] == '#') text = doubled;
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  std::uint32_t rgb = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + 1, end, rgb, 16);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return rec709_from_rgb(rgb);
+}
+
+std::optional<glm::vec3> rec709_from_rgb(std::uint32_t rgb) {
   glm::dvec3 linear;
-  for (int channel = 0; channel < 3; ++channel) {
-    unsigned value = 0;
-    const char* from = text.data() + 1 + 2 * channel;
-    const auto [end, error] = std::from_chars(from, from + 2, value, 16);
-    if (error != std::errc() || end != from + 2) return std::nullopt;
-    linear[channel] = linear_from_srgb(value / 255.0);
-  }
+  for (int channel = 0; channel < 3; ++channel)
+    linear[channel] = linear_from_srgb((rgb >> (16 - 8 * channel) & 255u) / 255.0);
   const double luminance = 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
   if (luminance <= 0) return std::nullopt;
   return glm::vec3(linear / luminance);

@@ -1,6 +1,7 @@
 // Colours of lamps as linear Rec. 709 with luminance 1, so that flux stays photometric.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -18,6 +19,9 @@ glm::dvec2 planckian_xy(double kelvin);
 /// signal red) lose their negative channels. Mixing them with white instead would add blue to a
 /// signal red, which would then look magenta where it is overexposed.
 glm::vec3 rec709_from_xy(const glm::dvec2& xy);
+
+/// Returns 0xRRGGBB (sRGB) as linear Rec. 709 of luminance 1; empty for black.
+std::optional<glm::vec3> rec709_from_rgb(std::uint32_t rgb);
 
 /// Returns "#rrggbb" or "#rgb" (sRGB) as linear Rec. 709 of luminance 1; empty for other texts and
 /// for black.

@@ -9,6 +9,7 @@
 #include "formats/foreign_file.h"
 #include "formats/gltf_constants.h"
 #include "formats/json_parse.h"
+#include "formats/percent_text.h"
 
 namespace nightcity::gltf {
 namespace {
@@ -46,24 +47,6 @@ std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
     }
   }
   return bytes;
-}
-
-std::string decode_percent(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto digit = [&](std::size_t k) {
-      return std::string_view("0123456789abcdef")
-          .find(
-              static_cast<char>(text[k] >= 'A' && text[k] <= 'F' ? text[k] - 'A' + 'a' : text[k]));
-    };
-    if (text[i] == '%' && i + 2 < text.size() && digit(i + 1) < 16 && digit(i + 2) < 16) {
-      result += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
-      i += 2;
-    } else {
-      result += text[i];
-    }
-  }
-  return result;
 }
 
 [[noreturn]] void wrong_type(const char* key, const char* wanted) {

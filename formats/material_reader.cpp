@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "formats/error.h"
 #include "formats/finite.h"
@@ -53,6 +54,11 @@ SceneMaterial MaterialReader::read(std::size_t index) {
   const glm::dvec3 factor(colour[0], colour[1], colour[2]);
   const Json& picture = member(model, older ? "diffuseTexture" : "baseColorTexture");
   result.base_colour = factor * find_mean(picture, transparent);
+  // No surface reflects more than falls on it.
+  too_bright_ += factor.x > 1 || factor.y > 1 || factor.z > 1;
+  result.base_colour = glm::min(result.base_colour, glm::vec3(1));
+  unlit_ += extension(source, "KHR_materials_unlit").is_object();
+  metal_ += !older && gltf::number(surface, "metallicFactor", 0) > 0.5;
   // A material that does not shine needs no look at its picture.
   const Json none;
   result.emission_cd_m2 =
@@ -63,7 +69,7 @@ SceneMaterial MaterialReader::read(std::size_t index) {
   // A material that shines or is cut out keeps the mean: other rules make its colour.
   if (!transparent && light == glm::dvec3(0) && in_range(factor)) {
     result.texture = find_texture(picture);
-    if (result.texture) result.texture->factor = factor;
+    if (result.texture) result.texture->factor = glm::min(factor, glm::dvec3(1));
   }
   count_other_textures(source);
   for (const glm::vec3& value :
@@ -172,6 +178,11 @@ std::vector<std::string> MaterialReader::describe_skipped() const {
   say(specular_, " material has", " materials have",
       " specular and glossy parts (KHR_materials_pbrSpecularGlossiness) of which the diffuse "
       "colour is used and the specular colour is not");
+  say(too_bright_, " material reflects", " materials reflect",
+      " more than falls on it: 1 is taken");
+  say(unlit_, " material is", " materials are",
+      " to be shown without light (KHR_materials_unlit), and lit here as others");
+  say(metal_, " material is", " materials are", " metal, and shown matt with the same reflectance");
   say(transparent_, " material is", " materials are",
       " cut out or transparent (alphaMode), and shown opaque");
   return sentences;

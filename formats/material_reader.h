@@ -53,7 +53,8 @@ class MaterialReader {
   std::map<std::size_t, std::uint32_t> picture_of_image_;
   std::vector<ScenePicture> pictures_;
   PictureBudget budget_;
-  std::size_t averaged_ = 0, unread_ = 0, other_textures_ = 0, specular_ = 0, transparent_ = 0;
+  std::size_t averaged_ = 0, unread_ = 0, other_textures_ = 0, specular_ = 0, transparent_ = 0,
+              too_bright_ = 0, unlit_ = 0, metal_ = 0;
   std::string unread_reason_;  // of the first
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 #include <utility>
@@ -20,13 +21,23 @@ using gltf::numbers;
 
 namespace {
 
+constexpr std::size_t max_instances = 1u << 20;  // that have no place of their own
+
+// glTF asks for quaternions of length 1, and one that is not would scale as well as turn. Those that
+// are nearly so stay as they are.
+glm::dquat to_rotation(const glm::dquat& q) {
+  constexpr double tolerance = 1e-3;
+  const double length = glm::length(q);
+  return length > 0 && std::abs(length - 1) > tolerance ? q / length : q;
+}
+
 glm::dmat4 local_matrix(const Json& node) {
   if (node.contains("matrix"))
     return glm::make_mat4(numbers(node, "matrix", std::vector<double>(16)).data());
   const auto r = numbers(node, "rotation", {0, 0, 0, 1});
   Trs trs;
   trs.translation = glm::make_vec3(numbers(node, "translation", {0, 0, 0}).data());
-  trs.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
+  trs.rotation = to_rotation(glm::dquat(r[3], r[0], r[1], r[2]));
   trs.scale = glm::make_vec3(numbers(node, "scale", {1, 1, 1}).data());
   return compose(trs);
 }
@@ -129,8 +140,15 @@ std::vector<SceneInstance> NodeReader::read_instances(const Json& node,
   const auto lights = to_light_ids(read(gltf::light_attribute, 1));
   const auto features =
       to_feature_ids(node, gltf::instance_features, read(gltf::feature_attribute, 1), tables_);
-  const std::size_t count = std::max({translations.size() / 3, rotations.size() / 4,
-                                      scales.size() / 3, lights.size(), features.size()});
+  std::size_t count = std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3,
+                                lights.size(), features.size()});
+  // Attributes of others say how many instances there are, and nothing of where.
+  for (const Json& attribute : attributes)
+    if (count == 0 && attribute.is_number_unsigned())
+      count = std::min(
+          gltf::index(document_.element("accessors", attribute.get<std::size_t>()), "count")
+              .value_or(0),
+          max_instances);
   const auto fits = [count](std::size_t values, std::size_t width) {
     return values == 0 || values == count * width;
   };
@@ -144,7 +162,7 @@ std::vector<SceneInstance> NodeReader::read_instances(const Json& node,
     if (!translations.empty()) trs.translation = glm::make_vec3(&translations[3 * i]);
     if (!rotations.empty()) {
       const float* r = &rotations[4 * i];
-      trs.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
+      trs.rotation = to_rotation(glm::dquat(r[3], r[0], r[1], r[2]));
     }
     if (!scales.empty()) trs.scale = glm::make_vec3(&scales[3 * i]);
     instances.push_back(place(to_model * compose(trs), lights.empty() ? no_id : lights[i],

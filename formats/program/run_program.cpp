@@ -11,6 +11,7 @@
 
 #include "formats/error.h"
 #include "formats/program/man_page.h"
+#include "formats/program/nearest_word.h"
 #include "formats/program/output.h"
 #include "formats/signals.h"
 
@@ -64,6 +65,22 @@ void require_written_results() {
     throw Error("standard output", "cannot be written");
 }
 
+// Returns what is wrong where the first word of the command line is no command; "" elsewhere.
+std::string find_unknown_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const auto first = std::find_if(arguments.begin(), arguments.end(), [](const std::string& text) {
+    return !text.empty() && text.front() != '-';
+  });
+  if (first == arguments.end()) return {};
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    if (command->check_name(*first)) return {};
+    names.push_back(command->get_name());
+  }
+  const std::string nearest = find_nearest_word(*first, names);
+  return "there is no command \"" + *first + '"' +
+         (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?");
+}
+
 ExitCode parse_and_run(const Program& program, int argc, const char* const* argv) {
   CLI::App app{program.name + " " + program.description};
   add_common_options(app, program);
@@ -72,12 +89,13 @@ ExitCode parse_and_run(const Program& program, int argc, const char* const* argv
 
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   if (program.complete_arguments) arguments = program.complete_arguments(app, std::move(arguments));
+  const std::string unknown = find_unknown_command(app, arguments);
   std::reverse(arguments.begin(), arguments.end());  // the order in which CLI11 takes a vector
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
-      spdlog::error("{} (see {} --help)", error.what(), program.name);
+      spdlog::error("{} (see {} --help)", unknown.empty() ? error.what() : unknown, program.name);
       return ExitCode::bad_usage;
     }
     app.exit(error);  // prints the help or the version

@@ -219,6 +219,34 @@ TEST(ForeignScene, MovementAndLightsAreNamed) {
   EXPECT_EQ(scene.skipped.size(), 6u);
 }
 
+TEST(ForeignScene, MaterialsThatAreNotMattAreNamedAndReflectNoMoreThanAll) {
+  json document = foreign();
+  document["materials"] = {
+      {{"pbrMetallicRoughness", {{"baseColorFactor", {2, 0.5, 1, 1}}, {"metallicFactor", 1}}}},
+      {{"extensions", {{"KHR_materials_unlit", json::object()}}}}};
+  const Scene scene = read(document);
+  expect_colour(scene.materials.at(0).base_colour, {1, 0.5f, 1});
+  EXPECT_TRUE(says(scene, "1 material reflects more than falls on it"));
+  EXPECT_TRUE(says(scene, "1 material is metal"));
+  EXPECT_TRUE(says(scene, "1 material is to be shown without light"));
+  EXPECT_EQ(scene.skipped.size(), 3u);
+}
+
+TEST(ForeignScene, ARotationOfAnotherLengthTurnsAndDoesNotScale) {
+  json document = foreign();
+  document["nodes"][0]["rotation"] = {0, 0, std::sqrt(2.0), std::sqrt(2.0)};  // of length 2
+  const glm::vec4 x = read(document).nodes.at(0).instances.at(0).to_model * glm::vec4(1, 0, 0, 0);
+  EXPECT_NEAR(x.x, 0, 1e-6);
+  EXPECT_NEAR(x.y, 1, 1e-6);
+}
+
+TEST(ForeignScene, InstancesMayHaveNothingButAttributesOfOthers) {
+  json document = foreign();
+  document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["_ID"] = 0;
+  document["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  EXPECT_EQ(read(document).nodes.at(0).instances.size(), 4u);
+}
+
 TEST(ForeignScene, ABakedSceneLosesNothing) {
   const test::TempFolder folder;
   SceneWriter writer(folder / "city.glb", {});

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "tools/city/length_unit.h"
 #include "tools/city/plant_attributes.h"
 
 namespace nightcity::city {
@@ -15,11 +16,12 @@ void append(std::string& field, std::string_view value) {
   field += value;
 }
 
-void set_height(CityObject& object, std::string_view value) {
+void set_height(CityObject& object, std::string_view value, std::string_view unit) {
   constexpr double max_height_m = 5000;
   const auto height = parse_number(value);
-  if (height && !is_sentinel(*height) && *height > 0 && *height < max_height_m)
-    object.measured_height_m = height;
+  if (!height || is_sentinel(*height)) return;
+  const double metres = *height * find_metres_per(unit).value_or(1);
+  if (metres > 0 && metres < max_height_m) object.measured_height_m = metres;
 }
 
 void set_storeys(CityObject& object, std::string_view value) {
@@ -62,7 +64,8 @@ bool is_sentinel(double value) {
   return v == 999 || v == 9999 || v == 99999 || v == 999999;
 }
 
-bool set_attribute(CityObject& object, std::string_view name, std::string_view value) {
+bool set_attribute(CityObject& object, std::string_view name, std::string_view value,
+                   std::string_view unit) {
   value = trim(value);
   if (name == "function")
     append(object.function, value);
@@ -71,7 +74,7 @@ bool set_attribute(CityObject& object, std::string_view name, std::string_view v
   else if (name == "class")
     append(object.building_class, value);
   else if (name == "measuredheight")
-    set_height(object, value);
+    set_height(object, value, unit);
   else if (name == "storeysaboveground")
     set_storeys(object, value);
   else if (name == "storeyheightsaboveground")

@@ -24,7 +24,9 @@ bool is_sentinel(double value);
 /// Sets the field that a standard attribute stands for. `name`: local name in lower case
 /// ("measuredheight"). Returns false when the name stands for no field. Sentinels (9999, -9999 and
 /// the like) leave the field absent. Repeated functions and usages are all kept, with ';' between.
-bool set_attribute(CityObject& object, std::string_view name, std::string_view value);
+/// `unit`: that the file gives to a length; one that is unknown stands for metres.
+bool set_attribute(CityObject& object, std::string_view name, std::string_view value,
+                   std::string_view unit = {});
 
 /// Takes over what a part says and its building does not. A building is as tall as its tallest
 /// part.

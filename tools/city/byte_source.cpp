@@ -6,6 +6,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -171,19 +172,36 @@ class ZipSource : public ByteSource {
   UnpackedSize unpacked_;
 };
 
+constexpr std::array<std::string_view, 8> packed_endings = {".zip", ".gz",  ".tgz", ".tar",
+                                                            ".7z",  ".bz2", ".xz",  ".rar"};
+
+// Archives made on a Mac hold "__MACOSX/._name" for each file, with icons and the like in it.
+bool is_hidden_entry(std::string_view entry) {
+  const std::size_t slash = entry.rfind('/');
+  const std::string_view name = slash == entry.npos ? entry : entry.substr(slash + 1);
+  return name.starts_with('.') || entry.starts_with("__MACOSX/");
+}
+
 std::vector<Document> list_documents_in_archive(const std::string& path,
                                                 std::span<const std::string_view> endings) {
   const auto archive = std::make_shared<Archive>(path);
   std::vector<Document> documents;
+  std::string packed_entry;  // the first that is packed itself
   const zip_int64_t count = zip_get_num_entries(archive->get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     const char* entry = zip_get_name(archive->get(), index, ZIP_FL_ENC_GUESS);
-    if (!entry || !ends_with_any(to_lower(entry), endings)) continue;
+    if (!entry || is_hidden_entry(entry)) continue;
+    const std::string lower = to_lower(entry);
+    if (packed_entry.empty() && ends_with_any(lower, packed_endings)) packed_entry = entry;
+    if (!ends_with_any(lower, endings)) continue;
     const std::string name = path + "/" + entry;
     documents.push_back(
         {name, true, [=] { return to_utf8(std::make_unique<ZipSource>(archive, index, name)); }});
   }
+  if (documents.empty() && !packed_entry.empty())
+    throw Error(path, "the archive holds another packed file (" + packed_entry +
+                          "): unpack it and name what is inside");
   if (documents.empty()) throw Error(path, "the archive holds no " + join_endings(endings));
   return documents;
 }

@@ -66,10 +66,13 @@ struct Polygon {
   /// The coordinate reference system that the polygon's coordinates have, where it is another than
   /// ReadOptions::srs_name; null elsewhere.
   std::shared_ptr<const std::string> srs_name{};
+  /// The reference point of a shape that is placed by one (an implicit geometry): `exterior` and
+  /// `interiors` are this and the shape's own coordinates added to it, which are metres.
+  std::optional<glm::dvec3> anchor{};
   std::shared_ptr<const SurfacePicture> picture{};  // with Textures::atlas
 
-  /// Passes each field to an archive (tools/archive.h), but for the name of a CRS, since
-  /// coordinates have the city's there, and for the picture, which then is of triangles.
+  /// Passes each field to an archive (tools/archive.h), but for the name of a CRS and the anchor,
+  /// since coordinates have the city's there, and for the picture, which then is of triangles.
   template <class Archive>
   void visit(Archive& archive) {
     archive(id, surface, exterior, interiors, diffuse_colour, area_function);

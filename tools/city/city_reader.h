@@ -80,6 +80,7 @@ struct ReadOptions {
   /// The name of the CRS that the caller takes the file's coordinates by (CityHead::srs_name).
   /// Polygons of other names carry theirs. Absent: names are not looked at.
   std::optional<std::string> srs_name{};
+  double height_unit_m = 1;  // metres in the unit of the file's heights, which its CRS says
   MeshPlacement mesh{};
   Textures textures = Textures::none;
   /// Bounds on what a small file may cost; the recipe's keys of the same names raise them.

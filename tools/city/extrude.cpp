@@ -75,7 +75,7 @@ bool is_flat_building(const CityObject& object) {
                      [](const Polygon& polygon) { return is_level(polygon); });
 }
 
-bool extrude_flat_building(CityObject& object) {
+bool extrude_flat_building(CityObject& object, double height_unit_m) {
   if (!object.measured_height_m || !is_flat_building(object)) return false;
   const auto is_footprint = [](const Polygon& p) { return p.surface != SurfaceType::roof; };
   const bool footprints = std::any_of(object.polygons.begin(), object.polygons.end(), is_footprint);
@@ -83,7 +83,7 @@ bool extrude_flat_building(CityObject& object) {
   for (Polygon& plan : object.polygons)
     if (!footprints || is_footprint(plan)) {
       plan.picture.reset();  // it is no picture of the block's sides
-      add_block(std::move(plan), *object.measured_height_m, blocks);
+      add_block(std::move(plan), *object.measured_height_m / height_unit_m, blocks);
     }
   object.polygons = std::move(blocks);
   return true;

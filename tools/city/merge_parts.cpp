@@ -164,7 +164,7 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
     const bool lod0_alone = std::all_of(raw.polygons.begin(), raw.polygons.end(),
                                         [](const RawPolygon& p) { return p.lod == 0; });
     if (lod0_alone && is_flat_building(object))
-      ++(extrude_flat_building(object) ? report.extruded : report.flat);
+      ++(extrude_flat_building(object, options.height_unit_m) ? report.extruded : report.flat);
   }
   make_texts_valid(object);
   report.polygons += object.polygons.size();

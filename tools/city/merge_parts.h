@@ -26,6 +26,7 @@ struct RawObject {
   std::vector<RawSpace> spaces{1};
   std::vector<RawPolygon> polygons;
   bool continued = false;  // a later piece of an object counted already
+  bool has_ended = false;  // it was taken out of the model
 };
 
 /// Returns the object with the highest LoD up to `options.max_lod` of every space (of a space that

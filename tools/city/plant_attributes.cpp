@@ -1,10 +1,9 @@
 #include "tools/city/plant_attributes.h"
 
 #include <string>
-#include <unordered_map>
 
-#include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/length_unit.h"
 
 namespace nightcity::city {
 namespace {
@@ -22,38 +21,6 @@ void set_size(std::optional<double>& field, int& odd_sizes, std::string_view val
 }
 
 }  // namespace
-
-std::optional<double> find_metres_per(std::string_view unit) {
-  // 9001 to 9003: codes of EPSG. [ft_i]: UCUM.
-  static const std::unordered_map<std::string_view, double> table{
-      {"", 1},
-      {"m", 1},
-      {"metre", 1},
-      {"metres", 1},
-      {"meter", 1},
-      {"meters", 1},
-      {"9001", 1},
-      {"dm", 0.1},
-      {"cm", 0.01},
-      {"mm", 0.001},
-      {"ft", 0.3048},
-      {"foot", 0.3048},
-      {"feet", 0.3048},
-      {"[ft_i]", 0.3048},
-      {"9002", 0.3048},
-      {"in", 0.0254},
-      {"inch", 0.0254},
-      {"[in_i]", 0.0254},
-      {"us-ft", 1200.0 / 3937},
-      {"[ft_us]", 1200.0 / 3937},
-      {"9003", 1200.0 / 3937},
-  };
-  unit = trim(unit);
-  if (const auto before = unit.find_last_of(":#/"); before != std::string_view::npos)
-    unit.remove_prefix(before + 1);
-  const auto at = table.find(to_lower(unit));
-  return at == table.end() ? std::nullopt : std::optional(at->second);
-}
 
 bool set_plant_attribute(Plant& plant, std::string_view name, std::string_view value,
                          std::string_view unit) {

@@ -12,10 +12,6 @@ namespace nightcity::city {
 /// wide a single crown may be is an assumption.
 constexpr double max_plant_height_m = 130, max_crown_m = 100, max_trunk_m = 15;
 
-/// Returns the metres in a unit of length as files name it: "m", "ft", "urn:ogc:def:uom:UCUM::m",
-/// "#cm"; 1 for "". None where the unit is unknown.
-std::optional<double> find_metres_per(std::string_view unit);
-
 /// Sets the field that an attribute of vegetation stands for. `name`: local name in lower case
 /// ("crowndiameter"). Returns false when the name stands for no field. Sentinels (9999 and the
 /// like) leave the field absent, and so do sizes that no plant has, which are counted.

@@ -1,6 +1,7 @@
 #include "tools/city/text_encoding.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -50,10 +51,15 @@ class ResumedSource : public ByteSource {
   std::unique_ptr<ByteSource> rest_;
 };
 
-class Utf16Source : public ByteSource {
+/// The widths of UTF-16 and UTF-32 in bytes.
+enum class UnitBytes : std::size_t { two = 2, four = 4 };
+
+class WideSource : public ByteSource {
  public:
-  Utf16Source(std::unique_ptr<ByteSource> source, bool big_endian)
-      : source_(std::move(source)), big_endian_(big_endian) {}
+  WideSource(std::unique_ptr<ByteSource> source, UnitBytes width, bool big_endian)
+      : source_(std::move(source)),
+        width_(static_cast<std::size_t>(width)),
+        big_endian_(big_endian) {}
 
   std::size_t read(char* out, std::size_t size) override {
     while (at_ == text_.size() && !ended_) translate_block();
@@ -72,17 +78,19 @@ class Utf16Source : public ByteSource {
     const std::size_t size = kept_ + got;
     ended_ = got == 0;
     std::size_t i = 0;
-    for (; i + 1 < size; i += 2) take_unit(unit_at(i));
+    for (; i + width_ <= size; i += width_) take_unit(unit_at(i));
     kept_ = size - i;
-    if (kept_ == 1) bytes_[0] = bytes_[i];
+    std::memmove(bytes_.data(), bytes_.data() + i, kept_);
     if (!ended_) return;
-    if (kept_ == 1 || high_ != 0) append_utf8(replacement, text_);
+    if (kept_ > 0 || high_ != 0) append_utf8(replacement, text_);
   }
 
   char32_t unit_at(std::size_t i) const {
-    const auto a = static_cast<std::uint8_t>(bytes_[i]),
-               b = static_cast<std::uint8_t>(bytes_[i + 1]);
-    return big_endian_ ? static_cast<char32_t>(a << 8 | b) : static_cast<char32_t>(b << 8 | a);
+    char32_t unit = 0;
+    for (std::size_t k = 0; k < width_; ++k)
+      unit =
+          unit << 8 | static_cast<std::uint8_t>(bytes_[big_endian_ ? i + k : i + width_ - 1 - k]);
+    return unit;
   }
 
   void take_unit(char32_t unit) {
@@ -94,10 +102,12 @@ class Utf16Source : public ByteSource {
     }
     if (high_ != 0) append_utf8(replacement, text_);
     high_ = high ? unit : 0;
-    if (!high) append_utf8(low ? replacement : unit, text_);
+    constexpr char32_t last = 0x10FFFF;
+    if (!high) append_utf8(low || unit > last ? replacement : unit, text_);
   }
 
   std::unique_ptr<ByteSource> source_;
+  std::size_t width_;
   bool big_endian_, ended_ = false;
   std::string bytes_, text_;
   std::size_t kept_ = 0, at_ = 0;
@@ -121,12 +131,29 @@ std::size_t sequence_length(std::string_view text, std::size_t i) {
   return continues(i + 3) ? 4 : 0;
 }
 
+// Returns where the first byte stands that is part of no valid sequence; the size where none is.
+std::size_t find_invalid(std::string_view text) {
+  std::size_t sound = 0;
+  while (sound < text.size()) {
+    const std::size_t length = sequence_length(text, sound);
+    if (length == 0) break;
+    sound += length;
+  }
+  return sound;
+}
+
 }  // namespace
 
 bool begins_as_utf16(std::string_view start) {
   using namespace std::string_view_literals;
   return start.starts_with("\xff\xfe"sv) || start.starts_with("\xfe\xff"sv) ||
          start.starts_with("<\0"sv) || start.starts_with("\0<"sv);
+}
+
+bool begins_as_utf32(std::string_view start) {
+  using namespace std::string_view_literals;
+  return start.starts_with("\xff\xfe\0\0"sv) || start.starts_with("\0\0\xfe\xff"sv) ||
+         start.starts_with("<\0\0\0"sv) || start.starts_with("\0\0\0<"sv);
 }
 
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
@@ -138,20 +165,30 @@ std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
     size += got;
   }
   start.resize(size);
-  const bool utf16 = begins_as_utf16(start);
+  const bool utf32 = begins_as_utf32(start), utf16 = !utf32 && begins_as_utf16(start);
   const bool big_endian = start.starts_with('\xfe') || start.starts_with('\0');
   auto whole = std::make_unique<ResumedSource>(std::move(start), std::move(source));
-  if (!utf16) return whole;
-  return std::make_unique<Utf16Source>(std::move(whole), big_endian);
+  if (!utf16 && !utf32) return whole;
+  return std::make_unique<WideSource>(std::move(whole), utf32 ? UnitBytes::four : UnitBytes::two,
+                                      big_endian);
+}
+
+std::string decode_text(std::string text) {
+  constexpr std::array<char32_t, 32> signs{
+      0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+      0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+      0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+  if (find_invalid(text) == text.size()) return text;
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<std::uint8_t>(c);
+    append_utf8(byte >= 0x80 && byte < 0xA0 ? signs[byte - 0x80] : byte, out);
+  }
+  return out;
 }
 
 std::string to_valid_utf8(std::string text) {
-  std::size_t sound = 0;
-  while (sound < text.size()) {
-    const std::size_t length = sequence_length(text, sound);
-    if (length == 0) break;
-    sound += length;
-  }
+  const std::size_t sound = find_invalid(text);
   if (sound == text.size()) return text;
   std::string out = text.substr(0, sound);
   for (std::size_t i = sound; i < text.size();) {

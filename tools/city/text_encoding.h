@@ -12,10 +12,16 @@ namespace nightcity::city {
 /// Returns whether a document's first bytes are UTF-16: a byte order mark, or '<' beside a zero
 /// byte (XML 1.0, appendix F).
 bool begins_as_utf16(std::string_view start);
+/// The same for UTF-32, whose byte order mark begins with that of UTF-16.
+bool begins_as_utf32(std::string_view start);
 
-/// Returns a source of the same document in UTF-8: one in UTF-16 is translated, any other passes
-/// through. Halves of surrogate pairs that stand alone become U+FFFD.
+/// Returns a source of the same document in UTF-8: one in UTF-16 or UTF-32 is translated, any other
+/// passes through. Halves of surrogate pairs that stand alone become U+FFFD.
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source);
+
+/// Returns a text in UTF-8: as it is where it is valid, else taken as Windows-1252, which holds
+/// ISO 8859-1.
+std::string decode_text(std::string text);
 
 /// Returns `text` with U+FFFD in place of each byte that is part of no valid UTF-8 sequence
 /// (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF).

@@ -1,6 +1,9 @@
 #include "tools/citygml/citygml_head.h"
 
+#include <algorithm>
+#include <array>
 #include <pugixml.hpp>
+#include <utility>
 
 #include "formats/error.h"
 #include "tools/city/attributes.h"
@@ -113,6 +116,21 @@ struct Sampler : pugi::xml_tree_walker {
   }
 };
 
+// Returns the text with XML's five entities as what they stand for: WKT has quotes, URLs of
+// compound systems have ampersands.
+std::string decode_entities(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, char>, 5> entities{
+      {{"&quot;", '"'}, {"&apos;", '\''}, {"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}}};
+  std::string out;
+  while (!text.empty()) {
+    const auto entity = std::find_if(entities.begin(), entities.end(),
+                                     [&](const auto& e) { return text.starts_with(e.first); });
+    out += entity == entities.end() ? text.front() : entity->second;
+    text.remove_prefix(entity == entities.end() ? 1 : entity->first.size());
+  }
+  return out;
+}
+
 bool holds_city_objects(std::string_view root) {
   return root == "CityModel" || root == "FeatureCollection";
 }
@@ -157,8 +175,8 @@ std::vector<std::string> list_srs_names(std::string_view text) {
     const char quote = text[at++];
     const auto end = text.find(quote, at);
     if (end == std::string_view::npos) break;
-    if (const auto name = city::trim(text.substr(at, end - at)); !name.empty())
-      names.emplace_back(name);
+    if (std::string name = decode_entities(city::trim(text.substr(at, end - at))); !name.empty())
+      names.push_back(std::move(name));
     at = end;
   }
   return names;

@@ -157,9 +157,9 @@ const std::unordered_map<std::string_view, P>& properties() {
       {"name", P::name},
       {"description", P::name},
       {"creationDate", P::name},
-      {"terminationDate", P::name},
+      {"terminationDate", P::end_date},
       {"validFrom", P::name},
-      {"validTo", P::name},
+      {"validTo", P::end_date},
   };
   return table;
 }

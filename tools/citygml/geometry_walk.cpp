@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/vec4.hpp>
 
+#include "formats/percent_text.h"
 #include "tools/city/attributes.h"
 #include "tools/city/ring.h"
 #include "tools/citygml/geometry_names.h"
@@ -129,9 +130,11 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
 void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
                           const GeometryContext& context) {
   href = city::trim(href);  // as xs:anyURI, which collapses blanks
-  const bool here = href.starts_with('#');
-  const std::string id =
-      here ? std::string(city::trim(href.substr(1))) : library_.name_elsewhere(href);
+  const bool here = library_.is_in_document(href);
+  std::string id = here ? std::string(city::trim(href.substr(href.find('#') + 1)))
+                        : library_.name_elsewhere(href);
+  // A link is an address, in which letters beyond ASCII may be encoded; ids are not.
+  if (here && id.find('%') != std::string::npos && !ids_.find(id)) id = decode_percent(id);
   if (id.empty()) {
     skipped_.add("xlink: to another file (" + std::string(href.substr(0, href.find('#'))) + ")");
     return;
@@ -236,6 +239,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
 void GeometryWalk::add(city::Polygon&& polygon, const GeometryContext& context) {
   if (context.placed) {
     polygon.srs_name = context.srs_name;
+    if (context.anchor) polygon.anchor = *context.anchor;
     if (++placed_polygons_ > max_placed_polygons) {
       skipped_.add("implicit geometry: more polygons than a member may have");
       return;
@@ -288,9 +292,17 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
       skipped_.add(child.name());
     }
   }
+  // Homogeneous coordinates: a last entry of 2 halves what the matrix makes.
+  if (matrix[3][3] == 0) matrix[3][3] = 1;
+  if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || !(matrix[3][3] > 0)) {
+    skipped_.add("implicit geometry: matrix that is none");
+    return;
+  }
+  matrix /= matrix[3][3];
   matrix[3] += glm::dvec4(reference, 0.0);
   GeometryContext placed = context;
   placed.placed = &matrix;
+  placed.anchor = has_place ? &reference : nullptr;
   placed.srs_name = std::move(srs_name);  // the shape's own coordinates have none
   if (plant_ && has_place) add_place(glm::dvec3(matrix[3]), placed.srs_name);
   // The same shape may be placed many times, but only once by each implicit geometry.

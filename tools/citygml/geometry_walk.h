@@ -38,6 +38,7 @@ struct GeometryContext {
   int links = 0;                       // xlinks followed on the way here
   const glm::vec3* colour = nullptr;   // of a material further up
   const glm::dmat4* placed = nullptr;  // transformation of an implicit geometry
+  const glm::dvec3* anchor = nullptr;  // and its reference point
   SrsName srs_name{};                  // of the coordinates
 };
 

@@ -4,8 +4,10 @@
 
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/end_date.h"
 #include "tools/city/plant_attributes.h"
 #include "tools/citygml/tag_scanner.h"
+#include "tools/today.h"
 
 namespace nightcity::citygml {
 namespace {
@@ -17,7 +19,7 @@ void read_height(const pugi::xml_node& property, city::CityObject& object) {
     for (const pugi::xml_node& part : height.children()) {
       if (local_name(part.name()) != "value") continue;
       city::CityObject one;
-      city::set_attribute(one, "measuredheight", part.child_value());
+      city::set_attribute(one, "measuredheight", part.child_value(), find_attribute(part, "uom"));
       if (one.measured_height_m > object.measured_height_m)
         object.measured_height_m = one.measured_height_m;
     }
@@ -39,6 +41,17 @@ bool read_plant(std::string_view name, const pugi::xml_node& property, city::Pla
   return find_property_kind(name) != PropertyKind::geometry &&
          city::set_plant_attribute(plant, to_lower(name), property.child_value(),
                                    find_attribute(property, "uom"));
+}
+
+// WFS 2.0, section 11.3: the answer to several queries is a collection of collections, that to a
+// join one of tuples.
+bool is_collection(std::string_view local) {
+  return local == "FeatureCollection" || local == "SimpleFeatureCollection" || local == "Tuple";
+}
+
+bool is_member(std::string_view local) {
+  return local == "member" || local == "featureMember" || local == "featureMembers" ||
+         local == "cityObjectMember";
 }
 
 bool is_own_space(ClassKind kind) {
@@ -72,8 +85,16 @@ void MemberParser::skip(const pugi::xml_node& element) {
     skipped_.add("polygon: in " + std::string(element.name()), polygons);
 }
 
-void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::RawObject>& out) {
+void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::RawObject>& out,
+                            int depth) {
   const std::string_view name = local_name(element.name());
+  if (is_collection(name) && depth < max_nesting) {
+    for (const pugi::xml_node& property : element.children())
+      if (is_member(local_name(property.name())))
+        for (const pugi::xml_node& child : property.children())
+          if (child.type() == pugi::node_element) read_top(child, out, depth + 1);
+    return;
+  }
   const FeatureClass what = find_feature_class(name);
   if (what.kind == ClassKind::unknown || what.kind == ClassKind::interior) {
     skip(element);
@@ -101,6 +122,10 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
   GeometryContext context;
   context.srs_name = srs_name_;
   read_feature(element, what, context, raw);
+  if (!raw.has_ended) return;
+  skipped_.add(city::ended_object);
+  if (!raw.polygons.empty()) skipped_.add("polygon: of an object that ended", raw.polygons.size());
+  out.pop_back();
 }
 
 void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClass& what,
@@ -120,7 +145,8 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     switch (find_property_kind(name)) {
       case PropertyKind::attribute:
         if (is_own_space(what.kind))
-          city::set_attribute(said, to_lower(name), property.child_value());
+          city::set_attribute(said, to_lower(name), property.child_value(),
+                              find_attribute(property, "uom"));
         else if (!read_area_function(what, name, property, context))
           skipped_.add(property.name());
         break;
@@ -145,6 +171,10 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
         break;
       case PropertyKind::height:
         read_height(property, said);
+        break;
+      case PropertyKind::end_date:
+        raw.has_ended = raw.has_ended || (what.kind == ClassKind::top &&
+                                          city::is_past(property.child_value(), today()));
         break;
       case PropertyKind::name:
         break;

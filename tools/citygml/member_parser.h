@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "tools/city/merge_parts.h"
+#include "tools/city/skip_counter.h"
 #include "tools/citygml/citygml_schema.h"
 #include "tools/citygml/geometry_walk.h"
-#include "tools/city/skip_counter.h"
 
 namespace nightcity::citygml {
 
@@ -33,7 +33,7 @@ class MemberParser {
   const std::vector<std::string>& unresolved() const { return geometry_.unresolved(); }
 
  private:
-  void read_top(const pugi::xml_node& element, std::vector<city::RawObject>& out);
+  void read_top(const pugi::xml_node& element, std::vector<city::RawObject>& out, int depth = 0);
   void read_feature(const pugi::xml_node& element, const FeatureClass& what,
                     GeometryContext context, city::RawObject& raw);
   void read_child_features(const pugi::xml_node& property, const GeometryContext& context,

@@ -1,7 +1,8 @@
 #include "tools/citygml/rings.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -27,12 +28,6 @@ bool parse_numbers(const char* at, const char* end, std::vector<double>& numbers
   }
 }
 
-int dimension_of(const pugi::xml_node& element, int inherited) {
-  const pugi::xml_attribute said = element.attribute("srsDimension");
-  const int dimension = said ? std::atoi(said.value()) : inherited;
-  return dimension == 2 ? 2 : 3;
-}
-
 bool append_vertices(const std::vector<double>& numbers, int dimension, city::Ring& ring) {
   const auto d = static_cast<std::size_t>(dimension);
   if (numbers.size() % d != 0) return false;
@@ -44,33 +39,94 @@ bool append_vertices(const std::vector<double>& numbers, int dimension, city::Ri
   return true;
 }
 
-// GML 2's <coordinates>: "x,y,z x,y,z", with separators given by attributes.
-RingFault read_coordinates(const pugi::xml_node& element, city::Ring& ring) {
-  const auto said = [&](const char* name, char standard) {
-    const char* value = element.attribute(name).value();
-    return *value ? *value : standard;
-  };
-  const char decimal = said("decimal", '.'), within = said("cs", ','), between = said("ts", ' ');
-  std::string text;
-  for (const pugi::xml_node& part : element.children()) text += part.value();
-  std::vector<double> numbers;
-  std::size_t at = 0;
-  const auto is_between = [&](char c) { return c == between || is_space(c); };
-  while (at < text.size()) {
-    while (at < text.size() && is_between(text[at])) ++at;
-    std::size_t end = at;
-    while (end < text.size() && !is_between(text[end])) ++end;
-    if (end == at) break;
-    std::string tuple = text.substr(at, end - at);
-    for (char& c : tuple) c = c == within ? ' ' : c == decimal ? '.' : c;
-    numbers.clear();
-    if (!parse_numbers(tuple.data(), tuple.data() + tuple.size(), numbers))
-      return RingFault::not_numbers;
-    if (numbers.size() != 2 && numbers.size() != 3) return RingFault::wrong_count;
-    append_vertices(numbers, static_cast<int>(numbers.size()), ring);
-    at = end;
+// GML 2's <coordinates>: "x,y,z x,y,z", with separators given by attributes. Blanks around a
+// separator say nothing.
+class Coordinates {
+ public:
+  explicit Coordinates(const pugi::xml_node& element) {
+    const auto said = [&](const char* name, char standard) {
+      const char* value = element.attribute(name).value();
+      return *value ? *value : standard;
+    };
+    decimal_ = said("decimal", '.'), within_ = said("cs", ','), between_ = said("ts", ' ');
+    for (const pugi::xml_node& part : element.children()) text_ += part.value();
   }
+
+  RingFault read(city::Ring& ring) {
+    std::vector<double> tuple;
+    for (Next next = skip_separator(); next != Next::end; next = skip_separator()) {
+      if (next == Next::tuple && !tuple.empty() && !end_tuple(tuple, ring))
+        return RingFault::wrong_count;
+      if (!parse_numbers_in(take_word(), tuple)) return RingFault::not_numbers;
+    }
+    return tuple.empty() || end_tuple(tuple, ring) ? RingFault::none : RingFault::wrong_count;
+  }
+
+ private:
+  enum class Next { number, tuple, end };
+
+  // Passes blanks and separators, and tells what stands behind them: a further number of the same
+  // tuple, the first one of another, or nothing.
+  Next skip_separator() {
+    bool within = false, between = at_ == 0, blank = false;
+    for (; at_ < text_.size() && is_separator(text_[at_]); ++at_) {
+      const char c = text_[at_];
+      within = within || (c == within_ && !is_space(c));
+      between = between || (c == between_ && !is_space(c));
+      blank = blank || is_space(c);
+    }
+    if (at_ == text_.size()) return Next::end;
+    // A blank separates what no other separator does.
+    const bool splits = between || (blank && !within && !is_space(within_));
+    return splits ? Next::tuple : Next::number;
+  }
+
+  bool is_separator(char c) const { return c == within_ || c == between_ || is_space(c); }
+
+  std::string take_word() {
+    std::string word;
+    for (; at_ < text_.size() && !is_separator(text_[at_]); ++at_)
+      word += text_[at_] == decimal_ ? '.' : text_[at_];
+    return word;
+  }
+
+  static bool parse_numbers_in(const std::string& word, std::vector<double>& tuple) {
+    return parse_numbers(word.data(), word.data() + word.size(), tuple);
+  }
+
+  static bool end_tuple(std::vector<double>& tuple, city::Ring& ring) {
+    if (tuple.size() != 2 && tuple.size() != 3) return false;
+    append_vertices(tuple, static_cast<int>(tuple.size()), ring);
+    tuple.clear();
+    return true;
+  }
+
+  std::string text_;
+  std::size_t at_ = 0;
+  char decimal_, within_, between_;
+};
+
+// GML 2's <coord><X>1</X><Y>2</Y><Z>3</Z></coord>.
+RingFault read_coord(const pugi::xml_node& element, city::Ring& ring) {
+  std::vector<double> numbers;
+  for (const pugi::xml_node& axis : element.children())
+    if (axis.type() == pugi::node_element && !read_numbers(axis, numbers))
+      return RingFault::not_numbers;
+  if (numbers.size() != 2 && numbers.size() != 3) return RingFault::wrong_count;
+  append_vertices(numbers, static_cast<int>(numbers.size()), ring);
   return RingFault::none;
+}
+
+// Returns the dimension of a list of coordinates that names none. Rings are closed, so one that is
+// closed in the plane alone has coordinates in the plane, although most of CityGML's have three.
+int guess_dimension(const std::vector<double>& numbers) {
+  const std::size_t n = numbers.size();
+  const auto is_closed = [&](std::size_t d) {
+    return n % d == 0 && n >= 4 * d &&
+           std::equal(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(d),
+                      numbers.end() - static_cast<std::ptrdiff_t>(d));
+  };
+  return is_closed(2) && !is_closed(3) ? 2 : 3;
 }
 
 }  // namespace
@@ -94,11 +150,14 @@ const char* name_of(RingFault fault) {
 }
 
 bool read_numbers(const pugi::xml_node& element, std::vector<double>& numbers) {
-  for (const pugi::xml_node& part : element.children()) {
-    const char* text = part.value();
-    if (!parse_numbers(text, text + std::strlen(text), numbers)) return false;
+  const pugi::xml_node first = element.first_child();
+  if (first.next_sibling()) {  // comments and CDATA cut a text, in the middle of numbers too
+    std::string text;
+    for (const pugi::xml_node& part : element.children()) text += part.value();
+    return parse_numbers(text.data(), text.data() + text.size(), numbers);
   }
-  return true;
+  const char* text = first.value();
+  return parse_numbers(text, text + std::strlen(text), numbers);
 }
 
 int find_dimension(const pugi::xml_node& element, int inherited) {
@@ -107,7 +166,7 @@ int find_dimension(const pugi::xml_node& element, int inherited) {
 }
 
 RingFault read_vertices(const pugi::xml_node& element, int dimension, city::Ring& vertices) {
-  const int inherited = dimension_of(element, dimension);
+  const int inherited = find_dimension(element, dimension);
   thread_local std::vector<double> numbers;  // allocated once per thread, not once per ring
   bool any = false;
   for (const pugi::xml_node& child : element.children()) {
@@ -117,14 +176,22 @@ RingFault read_vertices(const pugi::xml_node& element, int dimension, city::Ring
     const std::string_view kind = local_name(holder.name());
     if (kind == "coordinates") {
       any = true;
-      if (const RingFault fault = read_coordinates(holder, vertices); fault != RingFault::none)
+      if (const RingFault fault = Coordinates(holder).read(vertices); fault != RingFault::none)
+        return fault;
+    } else if (kind == "coord") {
+      any = true;
+      if (const RingFault fault = read_coord(holder, vertices); fault != RingFault::none)
         return fault;
     } else if (kind == "posList" || kind == "pos") {
       any = true;
       numbers.clear();
       if (!read_numbers(holder, numbers)) return RingFault::not_numbers;
-      if (!append_vertices(numbers, dimension_of(holder, inherited), vertices))
-        return RingFault::wrong_count;
+      const int said = find_dimension(holder, inherited);
+      const int found = kind == "pos" && numbers.size() == 2 ? 2
+                        : said == 0 && kind == "posList"     ? guess_dimension(numbers)
+                        : said == 2                          ? 2
+                                                             : 3;
+      if (!append_vertices(numbers, found, vertices)) return RingFault::wrong_count;
     }
   }
   return any ? RingFault::none : RingFault::no_coordinates;

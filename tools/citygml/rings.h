@@ -1,4 +1,4 @@
-// Reads the coordinates of a GML ring: posList, pos, coordinates, pointProperty. Text that comments
+// Reads the coordinates of a GML ring: posList, pos, coordinates, coord, pointProperty. Text that comments
 // or CDATA cut in pieces is read whole.
 #pragma once
 
@@ -25,7 +25,7 @@ constexpr unsigned gml_parse_flags = pugi::parse_escapes | pugi::parse_cdata;
 
 /// Fills `ring` from a LinearRing, or a Ring of curves (curves.h), and returns its fault,
 /// with which `ring` is unspecified. `dimension`: srsDimension given by an ancestor, 0 = none
-/// (then 3). Vertices of two coordinates get height 0. The closing vertex and consecutive
+/// (then 3, or 2 where the list is closed in the plane alone). Vertices of two coordinates get height 0. The closing vertex and consecutive
 /// duplicates are left out.
 RingFault read_ring(const pugi::xml_node& ring_element, int dimension, city::Ring& ring);
 

@@ -47,6 +47,7 @@ class StreamReader {
                const city::ObjectStage& stage)
       : document_(document), options_(options), stage_(stage) {
     library_.folder = std::filesystem::path(document.name).parent_path();
+    library_.file_name = std::filesystem::path(document.name).filename().string();
     library_.neighbours = options.neighbours;
     library_.max_vertices = static_cast<std::size_t>(options.max_linked_vertices);
     if (options.textures == city::Textures::none || document.packed) return;

@@ -1,5 +1,6 @@
 #include "tools/citygml/xlinks.h"
 
+#include "formats/percent_text.h"
 #include "tools/city/attributes.h"
 
 namespace nightcity::citygml {
@@ -33,10 +34,19 @@ pugi::xml_node IdIndex::find(std::string_view id) {
   return at == nodes_.end() ? pugi::xml_node() : at->second;
 }
 
+bool GeometryLibrary::is_in_document(std::string_view href) const {
+  const std::size_t hash = href.find('#');
+  if (hash == 0 || hash == std::string_view::npos) return hash == 0;
+  const std::string file = decode_percent(city::trim(href.substr(0, hash)));
+  return std::filesystem::path(file).lexically_normal() == file_name;
+}
+
 std::string GeometryLibrary::name_elsewhere(std::string_view href) const {
   const std::size_t hash = href.find('#');
   if (!neighbours || hash == 0 || hash == std::string_view::npos) return {};
-  const std::filesystem::path file = (folder / city::trim(href.substr(0, hash))).lexically_normal();
+  const std::string_view written = city::trim(href.substr(0, hash));
+  std::filesystem::path file = (folder / written).lexically_normal();
+  if (!neighbours->contains(file)) file = (folder / decode_percent(written)).lexically_normal();
   if (!neighbours->contains(file)) return {};
   return file.string() + "#" + std::string(city::trim(href.substr(hash + 1)));
 }

@@ -37,10 +37,13 @@ struct GeometryLibrary {
   std::unordered_map<std::string, std::vector<LinkedPolygon>> polygons{};
   std::size_t max_vertices = 0;    // that one member may take from here
   std::filesystem::path folder{};  // of the document: file names in links are relative to it
+  std::string file_name{};         // of the document, in its folder
   /// Files that links may lead into.
   std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
   PictureColours* pictures = nullptr;  // of the document; null: textures are not read
 
+  /// Returns whether a link leads into its own document: "#id", or "here.gml#id" in here.gml.
+  bool is_in_document(std::string_view href) const;
   /// Returns the name of the target of "../there.gml#id", "path#id"; "" where it lies outside the
   /// city.
   std::string name_elsewhere(std::string_view href) const;

@@ -361,7 +361,8 @@ bool GeometryReader::read_polygon(const dom::element& rings, const Beside& besid
 // A template placed by a 4 x 4 matrix, in rows, and a reference point added to it.
 void GeometryReader::read_instance(const dom::object& geometry, const Context& context,
                                    std::vector<city::RawPolygon>& out) {
-  const auto matrix = read_placement(geometry);
+  glm::dvec3 anchor{0};
+  const auto matrix = read_placement(geometry, anchor);
   if (!matrix) return;
   if (places_) places_->push_back(glm::dvec3((*matrix)[3]));
   const auto number = find_member(geometry, "template");
@@ -381,12 +382,14 @@ void GeometryReader::read_instance(const dom::object& geometry, const Context& c
     for (glm::dvec3& p : ring) p = glm::dvec3(*matrix * glm::dvec4(p, 1.0));
   };
   for (std::size_t i = first; i < out.size(); ++i) {
+    out[i].polygon.anchor = anchor;
     place(out[i].polygon.exterior);
     for (city::Ring& ring : out[i].polygon.interiors) place(ring);
   }
 }
 
-std::optional<glm::dmat4> GeometryReader::read_placement(const dom::object& geometry) {
+std::optional<glm::dmat4> GeometryReader::read_placement(const dom::object& geometry,
+                                                         glm::dvec3& anchor) {
   std::vector<std::vector<std::size_t>> places;
   if (const auto boundaries = find_member(geometry, "boundaries")) list_rings(*boundaries, places);
   if (places.size() != 1 || places[0].size() != 1 || places[0][0] >= sources_.vertices.size() ||
@@ -410,7 +413,15 @@ std::optional<glm::dmat4> GeometryReader::read_placement(const dom::object& geom
       return {};
     }
   }
-  matrix[3] += glm::dvec4(sources_.vertices[places[0][0]], 0.0);
+  // Homogeneous coordinates: a last entry of 2 halves what the matrix makes.
+  if (matrix[3][3] == 0) matrix[3][3] = 1;
+  if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || !(matrix[3][3] > 0)) {
+    skipped_.add("template with a matrix that is none");
+    return {};
+  }
+  matrix /= matrix[3][3];
+  anchor = sources_.vertices[places[0][0]];
+  matrix[3] += glm::dvec4(anchor, 0.0);
   return matrix;
 }
 

@@ -63,8 +63,9 @@ class GeometryReader {
                      std::vector<city::RawPolygon>& out);
   void read_instance(const dom::object& geometry, const Context& context,
                      std::vector<city::RawPolygon>& out);
-  /// Returns where the geometry puts its template; none, and counted, where it does not say.
-  std::optional<glm::dmat4> read_placement(const dom::object& geometry);
+  /// Returns where the geometry puts its template, and its reference point in `anchor`; none, and
+  /// counted, where it does not say.
+  std::optional<glm::dmat4> read_placement(const dom::object& geometry, glm::dvec3& anchor);
   void read_points(const dom::element& boundaries);
   void read_semantics(const dom::object& geometry, Context& context);
   const glm::vec3* find_colour(const dom::element& index) const;

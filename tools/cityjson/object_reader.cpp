@@ -4,7 +4,9 @@
 
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/end_date.h"
 #include "tools/city/plant_attributes.h"
+#include "tools/today.h"
 
 namespace nightcity::cityjson {
 namespace {
@@ -21,30 +23,49 @@ std::string to_list_text(const dom::element& value) {
   return text;
 }
 
-// CityJSON keeps the names of CityGML's attributes; lengths are numbers of metres.
-bool read_plant(std::string_view name, const dom::element& value, city::Plant& plant) {
-  return city::set_plant_attribute(plant, to_lower(name), to_text(value));
+// A length: a number of metres or, as converters from CityGML write it, {"value": 12, "uom": "ft"}.
+struct Measure {
+  std::string value, unit;
+};
+
+Measure to_measure(const dom::element& value) {
+  dom::object object;
+  if (value.get(object) != simdjson::SUCCESS) return {to_list_text(value), {}};
+  const auto number = find_member(object, "value");
+  return {number ? to_text(*number) : std::string(), std::string(find_text(object, "uom"))};
 }
 
-void read_attributes(const dom::object& object, city::CityObject& said,
+// CityJSON keeps the names of CityGML's attributes.
+bool read_plant(std::string_view name, const dom::element& value, city::Plant& plant) {
+  const Measure measure = to_measure(value);
+  return city::set_plant_attribute(plant, to_lower(name), measure.value, measure.unit);
+}
+
+// Returns whether they say that the object has ended.
+bool read_attributes(const dom::object& object, city::CityObject& said,
                      city::SkipCounter& skipped) {
   const auto attributes = find_object(object, "attributes");
-  if (!attributes) return;
+  if (!attributes) return false;
+  bool has_ended = false;
   std::size_t others = 0;
   for (const auto& [name, value] : *attributes) {
     const std::string_view field = find_attribute_field(name);
     dom::array values;
     if (said.plant && read_plant(name, value, *said.plant)) continue;
     const bool repeats = field == "function" || field == "usage" || field == "class";
-    if (field.empty()) {
+    if (city::is_end_date(to_lower(name))) {
+      has_ended = has_ended || city::is_past(to_text(value), today());
+    } else if (field.empty()) {
       others += !value.is_null();
     } else if (repeats && value.get(values) == simdjson::SUCCESS) {
       for (const dom::element& one : values) city::set_attribute(said, field, to_text(one));
     } else {
-      city::set_attribute(said, field, to_list_text(value));
+      const Measure measure = to_measure(value);
+      city::set_attribute(said, field, measure.value, measure.unit);
     }
   }
   if (others > 0) skipped.add("attribute", others);
+  return has_ended;
 }
 
 // Addresses have free keys since CityJSON 1.1; these are those of the specification's examples.
@@ -81,7 +102,8 @@ void read_member(const GroupMember& member, std::uint32_t space, GeometryReader&
   if (member.what.role == ObjectRole::top || member.what.role == ObjectRole::part) {
     city::CityObject said;
     if (member.what.type == city::ObjectType::vegetation) said.plant.emplace();
-    read_attributes(member.object, said, skipped);
+    const bool has_ended = read_attributes(member.object, said, skipped);
+    if (space == 0) raw.has_ended = has_ended;
     if (const auto address = find_member(member.object, "address"))
       said.address = read_address(*address);
     city::adopt_attributes(raw.object, said);

@@ -166,8 +166,15 @@ CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const 
         why += ": they are metres or feet of a projected CRS, not degrees";
       continue;
     }
-    if (!choice.inside) choice.why += ", although the coordinates lie outside the area of use";
+    const bool inside = choice.inside;
+    if (!inside) choice.why = "although the coordinates lie outside the area of use";
+    const std::string area = choice.crs->area_name();
     state->place_in(std::move(choice), definition, sample);
+    if (!inside)
+      state->axis_warning = "the coordinates (" + first_of(sample) +
+                            ") lie outside the area of use of " + definition +
+                            (area.empty() ? "" : " (" + area + ")") +
+                            ": lamps and streets will not meet the model if that is not its CRS";
     return CityFrame(std::move(state));
   }
   throw Error("", "CRS \"" + name + "\": " + why +
@@ -186,6 +193,15 @@ void CityFrame::to_projected(std::span<glm::dvec3> coordinates) const {
     const glm::dvec2 out = s.plane ? s.to_plane(en) : en * s.unit;
     c = {out.x, out.y, c.z * s.height_unit};
   }
+}
+
+void CityFrame::to_projected(std::span<glm::dvec3> coordinates,
+                             const std::optional<glm::dvec3>& anchor) const {
+  const bool in_degrees = state_->source && state_->plane && !state_->stretched;
+  if (!anchor || !in_degrees) return to_projected(coordinates);
+  glm::dvec3 origin = *anchor;
+  to_projected(std::span(&origin, 1));
+  for (glm::dvec3& c : coordinates) c = origin + (c - *anchor);
 }
 
 glm::dvec2 CityFrame::from_lon_lat(const glm::dvec2& lon_lat) const {
@@ -213,6 +229,9 @@ glm::dvec2 CityFrame::to_lon_lat(const glm::dvec2& east_north) const {
   return s.source->to_wgs84(p);
 }
 
+double CityFrame::height_unit_m() const {
+  return state_->height_unit;
+}
 bool CityFrame::has_lon_lat() const {
   return state_->source || state_->similarity;
 }

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,11 +38,16 @@ class CityFrame {
 
   /// Source coordinates (as in the file) to E, N, H in metres, in place.
   void to_projected(std::span<glm::dvec3> coordinates) const;
+  /// The same for a shape that is placed at `anchor`: where the CRS is geographic, differences to
+  /// that are metres east, north and up, and no degrees. Without an anchor as above.
+  void to_projected(std::span<glm::dvec3> coordinates,
+                    const std::optional<glm::dvec3>& anchor) const;
   /// WGS 84 degrees to E, N in metres; NaN where PROJ has no answer. Horizontal only: heights come
   /// from the terrain. Throws Error when has_lon_lat() is false. Safe to call from several threads.
   glm::dvec2 from_lon_lat(const glm::dvec2& lon_lat) const;
   glm::dvec2 to_lon_lat(const glm::dvec2& east_north) const;
 
+  double height_unit_m() const;    // metres in the unit of the source's heights
   bool has_lon_lat() const;        // false: no CRS and no control points
   const std::string& crs() const;  // "EPSG:25833" or a PROJ string
   /// For the report: CRS, axis order and its reason, operation and its accuracy.

@@ -17,17 +17,30 @@ struct Alias {
 // (urn:adv:crs:...) without the height part behind '*': only the horizontal CRS matters here,
 // heights stay as in the file.
 constexpr std::array aliases{
-    Alias{"ch1903", "EPSG:21781"},           Alias{"ch1903_lv03", "EPSG:21781"},
-    Alias{"ch1903+", "EPSG:2056"},           Alias{"ch1903+_lv95", "EPSG:2056"},
-    Alias{"etrs89_utm31", "EPSG:25831"},     Alias{"etrs89_utm32", "EPSG:25832"},
-    Alias{"etrs89_utm33", "EPSG:25833"},     Alias{"etrs89_utm31_ze-n", "EPSG:5649"},
-    Alias{"etrs89_utm32_ze-n", "EPSG:4647"}, Alias{"etrs89_utm33_ze-n", "EPSG:5650"},
-    Alias{"etrs89_lat-lon", "EPSG:4258"},    Alias{"de_dhdn_3gk2", "EPSG:31466"},
-    Alias{"de_dhdn_3gk3", "EPSG:31467"},     Alias{"de_dhdn_3gk4", "EPSG:31468"},
-    Alias{"de_dhdn_3gk5", "EPSG:31469"},     Alias{"de_42-83_3gk3", "EPSG:2397"},
-    Alias{"de_42-83_3gk4", "EPSG:2398"},     Alias{"de_42-83_3gk5", "EPSG:2399"},
-    Alias{"de_pd-83_3gk3", "EPSG:3396"},     Alias{"de_pd-83_3gk4", "EPSG:3397"},
-    Alias{"de_rd-83_3gk4", "EPSG:3398"},     Alias{"de_rd-83_3gk5", "EPSG:3399"},
+    Alias{"crs:84", "OGC:CRS84"},
+    Alias{"crs84", "OGC:CRS84"},
+    Alias{"ch1903", "EPSG:21781"},
+    Alias{"ch1903_lv03", "EPSG:21781"},
+    Alias{"ch1903+", "EPSG:2056"},
+    Alias{"ch1903+_lv95", "EPSG:2056"},
+    Alias{"etrs89_utm31", "EPSG:25831"},
+    Alias{"etrs89_utm32", "EPSG:25832"},
+    Alias{"etrs89_utm33", "EPSG:25833"},
+    Alias{"etrs89_utm31_ze-n", "EPSG:5649"},
+    Alias{"etrs89_utm32_ze-n", "EPSG:4647"},
+    Alias{"etrs89_utm33_ze-n", "EPSG:5650"},
+    Alias{"etrs89_lat-lon", "EPSG:4258"},
+    Alias{"de_dhdn_3gk2", "EPSG:31466"},
+    Alias{"de_dhdn_3gk3", "EPSG:31467"},
+    Alias{"de_dhdn_3gk4", "EPSG:31468"},
+    Alias{"de_dhdn_3gk5", "EPSG:31469"},
+    Alias{"de_42-83_3gk3", "EPSG:2397"},
+    Alias{"de_42-83_3gk4", "EPSG:2398"},
+    Alias{"de_42-83_3gk5", "EPSG:2399"},
+    Alias{"de_pd-83_3gk3", "EPSG:3396"},
+    Alias{"de_pd-83_3gk4", "EPSG:3397"},
+    Alias{"de_rd-83_3gk4", "EPSG:3398"},
+    Alias{"de_rd-83_3gk5", "EPSG:3399"},
 };
 
 std::string_view trim(std::string_view text) {
@@ -92,6 +105,11 @@ std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
   if (constexpr std::string_view adv = "urn:adv:crs:"; key.starts_with(adv))
     key.erase(0, adv.size());
   if (const auto star = key.find('*'); star != std::string::npos) key.erase(star);
+  // The code alone, as some tables have it.
+  constexpr std::size_t least_digits = 4, most_digits = 6;
+  if (key.size() >= least_digits && key.size() <= most_digits &&
+      key.find_first_not_of("0123456789") == std::string::npos)
+    return list_crs_definitions("EPSG:" + key);
   const Alias* alias = find_alias(key);
   if (alias) definitions.emplace_back(alias->definition);
   if (!alias) definitions.emplace_back(name);

@@ -14,6 +14,7 @@
 #include "tools/cityjson/read_cityjson.h"
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/foreign_format.h"
+#include "tools/lights/luminaire.h"
 #include "tools/map_buildings/read_map_buildings.h"
 #include "tools/obj/read_obj.h"
 #include "tools/osm/osm_marks.h"
@@ -28,8 +29,12 @@ bool holds(const FileStart& start, std::string_view text) {
   return start.bytes.find(text) != std::string_view::npos;
 }
 
+// A FeatureCollection holds features of any schema, and that of CityGML is named before the first.
 bool is_citygml(const FileStart& start) {
-  return citygml::begins_as_citygml(start.bytes);
+  if (!citygml::begins_as_citygml(start.bytes)) return false;
+  const bool has_features = holds(start, "ember>") || holds(start, "embers>");
+  return find_root_name(start.bytes) != "FeatureCollection" || !has_features ||
+         holds(start, "citygml");
 }
 
 bool is_cityjson(const FileStart& start) {
@@ -60,12 +65,11 @@ bool is_light_file(const FileStart& start) {
 
 // Files before LM-63-1991 have no mark but the TILT line.
 bool is_ies(const FileStart& start) {
-  return start.bytes.starts_with("IESNA") || start.bytes.starts_with("IES:LM-63") ||
-         holds(start, "\nTILT=") || start.name.ends_with(".ies");
+  return lights::begins_as_ies(start.bytes) || start.name.ends_with(".ies");
 }
 
 bool is_eulumdat(const FileStart& start) {
-  return start.name.ends_with(".ldt");
+  return lights::begins_as_eulumdat(start.bytes) || start.name.ends_with(".ldt");
 }
 
 constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::read_citygml_staged,

@@ -37,8 +37,8 @@ struct FileFormat {
 /// All formats, in the order in which they are tried: those with a sure mark first.
 std::span<const FileFormat> file_formats();
 
-/// Returns the format of the file at `path` by its first bytes; a name decides only where a format
-/// has no mark of its own (EULUMDAT). Throws Error: missing, empty, a folder, broken gzip or zip,
+/// Returns the format of the file at `path` by its first bytes; a name decides only where these say
+/// nothing (.ies, .ldt). Throws Error: missing, empty, a folder, broken gzip or zip,
 /// or of no format in the table; the message then says what it is instead, and the remedy
 /// (foreign_format.h). Of an archive the first entry of a format in the table decides.
 const FileFormat& find_format(const std::filesystem::path& path);

@@ -35,6 +35,30 @@ constexpr std::array binary_marks{
     Mark{"LASF"sv, "is a point cloud (LAS, LAZ): surfaces are needed"},
     Mark{"ISO-10303-21"sv, "is IFC or another STEP file: export it as CityGML first"},
     Mark{"b3dm"sv, "is a tile of 3D Tiles: the CityGML that it was made of is needed"},
+    Mark{"i3dm"sv, "is a tile of 3D Tiles: the CityGML that it was made of is needed"},
+    Mark{"cmpt"sv, "is a tile of 3D Tiles: the CityGML that it was made of is needed"},
+    Mark{"pnts"sv, "is a point cloud (3D Tiles): surfaces are needed"},
+    Mark{"ASTM-E57"sv, "is a point cloud (E57): surfaces are needed"},
+    Mark{"fgb\x03"sv,
+         "is FlatGeobuf: a table of lamps belongs in [[lamps.inventories]], a model has to be "
+         "exported as CityGML first"},
+    Mark{"PAR1"sv, "is a Parquet table: export it as GeoPackage or CSV (ogr2ogr)"},
+    Mark{"Kaydara FBX"sv, "is FBX: export it as Wavefront OBJ (Blender does)"},
+    Mark{"; FBX"sv, "is FBX: export it as Wavefront OBJ (Blender does)"},
+    Mark{"BLENDER"sv, "is a Blender file: export it as Wavefront OBJ"},
+    Mark{"ply\n"sv, "is PLY: export it as Wavefront OBJ (Blender does)"},
+    Mark{"ply\r"sv, "is PLY: export it as Wavefront OBJ (Blender does)"},
+    Mark{"solid "sv, "is STL: export it as Wavefront OBJ (Blender does)"},
+    Mark{"PXR-USDC"sv, "is USD: export it as Wavefront OBJ (Blender does)"},
+    Mark{"#usda"sv, "is USD: export it as Wavefront OBJ (Blender does)"},
+    Mark{"AC10"sv, "is a drawing (DWG): export it as CityGML or Wavefront OBJ"},
+    Mark{"GIF8"sv, "is a picture (GIF)"},
+    Mark{"RIFF"sv, "is a picture, sound or film (RIFF)"},
+    Mark{"\xD0\xCF\x11\xE0"sv,
+         "is a document of Microsoft's older formats (Excel, Revit, ...): save a table as CSV, "
+         "export a model as CityGML or IFC"},
+    Mark{"\x1F\x9D"sv, "is packed by compress: unpack it first (uncompress)"},
+    Mark{"MSCF"sv, "is a cabinet archive: unpack it first"},
     Mark{"version https://git-lfs"sv,
          "is a pointer of Git LFS and not the file itself: fetch it (git lfs pull)"},
 };
@@ -50,6 +74,18 @@ constexpr std::array json_words{
     Words{{"\"osm3s\"", ""}, "is an answer of Overpass in JSON: ask for XML instead ([out:xml])"},
     Words{{"\"elements\"", "\"generator\""},
           "is an answer of Overpass in JSON: ask for XML instead ([out:xml])"},
+    Words{{"\"CityJSONExtension\"", ""},
+          "is an extension of CityJSON, which describes additions to city models and is none"},
+    Words{
+        {"\"Topology\"", "\"arcs\""},
+        "is TopoJSON: a table of lamps belongs in [[lamps.inventories]] as GeoJSON, a model has to "
+        "be exported as CityGML first"},
+    Words{{"\"Feature\"", "\"geometry\""},
+          "is GeoJSON: a table of lamps belongs in [[lamps.inventories]], a model has to be "
+          "exported as CityGML first"},
+    Words{{"\"esriGeometry", ""},
+          "is JSON of Esri: a table of lamps belongs in [[lamps.inventories]], a model has to be "
+          "exported as CityGML first"},
     Words{{"\"FeatureCollection\"", ""},
           "is GeoJSON: a table of lamps belongs in [[lamps.inventories]], a model has to be "
           "exported as CityGML first"},
@@ -88,6 +124,12 @@ constexpr std::array roots{
     Root{"md_metadata", "is metadata, which describes a city model and is none"},
     Root{"schema", "is an XML schema, not data"},
     Root{"feed", "is a feed (Atom), which lists downloads: fetch one of the files that it names"},
+    Root{"types", "is a spreadsheet or another document of Office: save a table as CSV"},
+    Root{"error", "is a server's answer that reports an error: look into it"},
+    Root{"envelope", "is a server's answer (SOAP), not data: look into it"},
+    Root{"ifcxml", "is IFC (ifcXML): export it as CityGML first"},
+    Root{"indoorfeatures",
+         "is IndoorGML, which describes rooms: the CityGML of the buildings is needed"},
     Root{"kml", "is KML: export the model as CityGML first"},
     Root{"collada", "is COLLADA: export the model as CityGML first"},
     Root{"gpx", "is a track (GPX), not a map"},
@@ -99,6 +141,13 @@ std::string_view skip_blanks(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
+}
+
+// A DXF in text begins with a comment (999) or a section, each number on a line of its own.
+bool is_dxf(std::string_view text) {
+  const std::string_view start = text.substr(0, 200);
+  return (start.starts_with("0\n") || start.starts_with("0\r\n") || start.starts_with("999")) &&
+         start.find("SECTION") != std::string_view::npos;
 }
 
 std::string explain_json(std::string_view text) {
@@ -134,14 +183,26 @@ std::string explain_foreign(std::string_view bytes, std::string_view name) {
     if (bytes.starts_with(mark.bytes)) return mark.explanation;
   if (const std::string_view packed = describe_packed(bytes); !packed.empty())
     return std::string(packed);
+  if (bytes.starts_with("PK\x03\x04") && name.ends_with(".gz"))
+    return "is a zip archive that was packed by gzip as well: unpack it once (gunzip)";
   if (bytes.starts_with("PK") || name.ends_with(".zip"))
     return "is no zip archive, or the beginning of one that was cut off: fetch it again";
+  if (bytes.starts_with("\x1F\x8B")) return "is packed by gzip twice: unpack it once (gunzip)";
   if (name.ends_with(".gz") || name.ends_with(".tgz")) return {};
   const std::string_view text = skip_blanks(bytes);
   if (text.starts_with('{') || text.starts_with('[')) return explain_json(text);
+  if (is_dxf(text)) return "is a drawing (DXF): export it as CityGML or Wavefront OBJ";
   if (!text.starts_with('<')) return {};
   const std::string_view written = find_root_name(text);
   const std::string root = to_lower(written);
+  if (root == "featurecollection")
+    return text.find("inspire") != text.npos
+               ? "is INSPIRE data, not CityGML: ask the portal for the CityGML download, or "
+                 "convert "
+                 "it first"
+               : "is GML, but not CityGML: its features are none of a city model; ask the portal "
+                 "for "
+                 "the CityGML download, or export a table of lamps as GeoJSON";
   for (const Root& row : roots)
     if (row.name == root) return row.explanation;
   if (to_lower(text.substr(0, 64)).starts_with("<!doctype html")) return roots[0].explanation;

@@ -13,7 +13,7 @@ namespace {
 int find_column(const OGRLayer& layer, const std::string& name, const InventoryFile& inventory) {
   const OGRFeatureDefn& columns = *const_cast<OGRLayer&>(layer).GetLayerDefn();
   for (int i = 0; i < columns.GetFieldCount(); ++i)
-    if (name == columns.GetFieldDefn(i)->GetNameRef()) return i;
+    if (name == city::decode_text(columns.GetFieldDefn(i)->GetNameRef())) return i;
   if (const int any_case = columns.GetFieldIndex(name.c_str()); any_case >= 0) return any_case;
   throw Error(inventory.file.string(),
               "has no column \"" + name + "\": it has " + list_columns(layer));
@@ -38,7 +38,7 @@ std::string list_columns(const OGRLayer& layer) {
   std::string names;
   for (int i = 0; i < columns.GetFieldCount(); ++i)
     names += std::string(i > 0 ? ", \"" : "\"") + columns.GetFieldDefn(i)->GetNameRef() + "\"";
-  return names.empty() ? "none" : city::to_valid_utf8(std::move(names));
+  return names.empty() ? "none" : city::decode_text(std::move(names));
 }
 
 LayerColumns::LayerColumns(const OGRLayer& layer, const InventoryFile& inventory)
@@ -59,7 +59,7 @@ osm::OsmTags LayerColumns::read(const OGRFeature& row) const {
   for (const Column& column : columns_) {
     if (!row.IsFieldSetAndNotNull(column.field)) continue;
     std::string text(
-        city::trim(city::to_valid_utf8(to_text(const_cast<OGRFeature&>(row), column.field))));
+        city::trim(city::decode_text(to_text(const_cast<OGRFeature&>(row), column.field))));
     if (column.values)
       if (const auto word = column.values->find(text); word != column.values->end())
         text = word->second;
@@ -73,7 +73,7 @@ osm::OsmTags LayerColumns::read(const OGRFeature& row) const {
 
 std::string LayerColumns::read_id(const OGRFeature& row) const {
   if (id_ >= 0 && row.IsFieldSetAndNotNull(id_))
-    return city::to_valid_utf8(to_text(const_cast<OGRFeature&>(row), id_));
+    return city::decode_text(to_text(const_cast<OGRFeature&>(row), id_));
   return "row " + std::to_string(row.GetFID());
 }
 

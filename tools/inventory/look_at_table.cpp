@@ -60,14 +60,46 @@ const std::string* find_column(const TableLook& look, const Guess& guess) {
   return nullptr;
 }
 
+bool is_point(OGRwkbGeometryType type) {
+  return wkbFlatten(type) == wkbPoint || wkbFlatten(type) == wkbMultiPoint;
+}
+
 bool holds_points(OGRLayer& layer) {
-  const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
-  if (type == wkbPoint || type == wkbMultiPoint) return true;
-  if (type != wkbUnknown) return false;
+  if (is_point(layer.GetGeomType())) return true;
+  if (wkbFlatten(layer.GetGeomType()) != wkbUnknown) return false;
+  // The first rows may be those without a place.
+  constexpr int first_rows = 100;
   layer.ResetReading();
-  const OGRFeatureUniquePtr row(layer.GetNextFeature());
-  const OGRGeometry* geometry = row ? row->GetGeometryRef() : nullptr;
-  return geometry && wkbFlatten(geometry->getGeometryType()) == wkbPoint;
+  for (int i = 0; i < first_rows; ++i) {
+    const OGRFeatureUniquePtr row(layer.GetNextFeature());
+    if (!row) break;
+    if (const OGRGeometry* geometry = row->GetGeometryRef())
+      return is_point(geometry->getGeometryType());
+  }
+  return false;
+}
+
+// Words for lamps and lighting in the languages of open portals.
+bool is_name_of_lamps(string_view text) {
+  constexpr std::array<string_view, 14> words{"lamp",      "light",    "lumin",  "leucht", "licht",
+                                              "clairage",  "lantern",  "latern", "latarn", "farol",
+                                              "belysning", "valaisin", "osvetl", "oswietl"};
+  const std::string name = to_lower(text);
+  return std::any_of(words.begin(), words.end(),
+                     [&](string_view word) { return name.find(word) != std::string::npos; });
+}
+
+// Rates how well a layer's name and columns speak of lamps.
+int rate_as_lamps(OGRLayer& layer) {
+  constexpr int weight_of_name = 3;
+  int rate = is_name_of_lamps(layer.GetName()) ? weight_of_name : 0;
+  TableLook look;
+  OGRFeatureDefn& columns = *layer.GetLayerDefn();
+  for (int i = 0; i < columns.GetFieldCount(); ++i)
+    look.columns.emplace_back(columns.GetFieldDefn(i)->GetNameRef());
+  for (const Guess& guess : guesses)
+    if (guess.property != "id" && guess.property != "height" && find_column(look, guess)) ++rate;
+  return rate;
 }
 
 }  // namespace
@@ -88,11 +120,15 @@ TableLook look_at_table(const std::filesystem::path& file) {
   TableLook look;
   look.format = driver_name(*dataset);
   OGRLayer* chosen = nullptr;
-  for (int i = 0; i < dataset->GetLayerCount() && !look.has_points; ++i) {
+  int best = -1;  // of layers with points, the one that speaks most of lamps is taken
+  for (int i = 0; i < dataset->GetLayerCount(); ++i) {
     OGRLayer* layer = dataset->GetLayer(i);
-    look.has_points = holds_points(*layer);
-    if (!chosen || look.has_points) chosen = layer;
+    const int rate = holds_points(*layer) ? rate_as_lamps(*layer) : -1;
+    look.has_points = look.has_points || rate >= 0;
+    if (!chosen || rate > best) chosen = layer;
+    best = std::max(best, rate);
   }
+  look.speaks_of_lamps = best > 0 || is_name_of_lamps(file.stem().string());
   if (!chosen) return look;
   look.layer = city::to_valid_utf8(chosen->GetName());
   look.rows = chosen->GetFeatureCount(TRUE);
@@ -100,7 +136,7 @@ TableLook look_at_table(const std::filesystem::path& file) {
     look.crs = crs->GetName() ? crs->GetName() : "unnamed";
   OGRFeatureDefn& columns = *chosen->GetLayerDefn();
   for (int i = 0; i < columns.GetFieldCount(); ++i)
-    look.columns.push_back(city::to_valid_utf8(columns.GetFieldDefn(i)->GetNameRef()));
+    look.columns.push_back(city::decode_text(columns.GetFieldDefn(i)->GetNameRef()));
   return look;
 }
 

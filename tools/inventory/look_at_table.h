@@ -12,14 +12,16 @@
 namespace nightcity::inventory {
 
 struct TableLook {
-  std::string format, layer;  // "GeoJSON"; the layer that was looked at
-  bool has_points = false;    // its geometry is points
-  std::string crs;            // as LayerCrs takes it; "" = none
+  std::string format, layer;     // "GeoJSON"; the layer that was looked at
+  bool has_points = false;       // its geometry is points
+  bool speaks_of_lamps = false;  // the name of the layer or file, or of a column, is one of lamps
+  std::string crs;               // as LayerCrs takes it; "" = none
   std::int64_t rows = 0;
   std::vector<std::string> columns;
 };
 
-/// Returns the first layer of points, else the first layer. Throws Error as open_vector_file does.
+/// Returns the layer of points whose names speak most of lamps, of alike ones the first; else the
+/// first layer. Throws Error as open_vector_file does.
 TableLook look_at_table(const std::filesystem::path& file);
 
 /// Returns whether the file's name ends as those of tables that are read.

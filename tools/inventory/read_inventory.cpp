@@ -71,6 +71,8 @@ class Reader {
                     list_columns(layer_));
   }
 
+  static constexpr const char* outside_crs = "with coordinates that its CRS does not have";
+
   void skip(const char* why) { ++result_.report.skipped[why]; }
 
   void take(const OGRFeature& row) {
@@ -106,8 +108,7 @@ class Reader {
 
   void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {
     const glm::dvec2 lon_lat = crs_.to_lon_lat(place);
-    if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90))
-      return skip("with coordinates that its CRS does not have");
+    if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90)) return skip(outside_crs);
     const auto [found, is_new] = at_place_.try_emplace({place.x, place.y}, result_.lamps.size());
     if (is_new) {
       osm::OsmLampNode& lamp = result_.lamps.emplace_back();
@@ -136,11 +137,14 @@ class Reader {
       if (columns_.used()[i] > 0)
         result_.report.columns[std::string(properties[i].name)] = columns_.used()[i];
     if (!result_.lamps.empty()) return;
-    const bool has_rows = result_.report.rows > 0;
+    if (result_.report.rows == 0) throw Error(file_.file.string(), "has no row");
+    if (!result_.report.skipped.contains(outside_crs))
+      throw Error(file_.file.string(), "has no lamp: it has rows " +
+                                           result_.report.skipped.begin()->first +
+                                           "; a table of lamps has a point in each row");
     throw Error(file_.file.string(),
-                has_rows ? "has no row with a point in its CRS: say the CRS by crs in "
-                           "[[lamps.inventories]] where it is not the one that the file names"
-                         : "has no row");
+                "has no row with a point in its CRS: say the CRS by crs in [[lamps.inventories]] "
+                "where it is not the one that the file names");
   }
 
   static std::optional<double> number_of(const osm::OsmTags& tags, const char* key) {

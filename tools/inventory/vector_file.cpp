@@ -1,13 +1,17 @@
 #include "tools/inventory/vector_file.h"
 
 #include <cpl_conv.h>
+#include <cpl_error.h>
 
 #include <array>
+#include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "formats/packed_file.h"
 #include "formats/to_lower.h"
 #include "tools/gdal/guarded_gdal.h"
 
@@ -20,8 +24,13 @@ constexpr std::array drivers{
 
 // Names of columns with coordinates that open portals use.
 constexpr const char* x_names =
-    "lon,long,lng,longitude,x,x_coord,xcoord,point_x,easting,laengengrad";
-constexpr const char* y_names = "lat,latitude,y,y_coord,ycoord,point_y,northing,breitengrad";
+    "lon,long,lng,longitude,x,x_coord,xcoord,coord_x,point_x,easting,laengengrad,längengrad,"
+    "geo_laenge,rechtswert,ostwert,longitud,longitudine,lengtegraad,x_wgs84,utm_x,utm_e";
+constexpr const char* y_names =
+    "lat,latitude,y,y_coord,ycoord,coord_y,point_y,northing,breitengrad,geo_breite,hochwert,"
+    "nordwert,latitud,latitudine,breedtegraad,y_wgs84,utm_y,utm_n";
+// Columns with whole geometries, as text.
+constexpr const char* geometry_names = "wkt,the_geom,geom,geometry,wkt_geom,geo_shape";
 
 void refuse_what_is_no_table(const std::filesystem::path& file) {
   std::error_code error;
@@ -33,6 +42,26 @@ void refuse_what_is_no_table(const std::filesystem::path& file) {
   for (const char* ending : {".zip", ".gz", ".shz", ".7z"})
     if (name.ends_with(ending))
       throw Error(file.string(), "is packed: unpack it first and name the file inside");
+}
+
+// Returns what GDAL said or, where it said nothing, what the file looks like.
+std::string explain_unread(const std::filesystem::path& file) {
+  const std::string said = CPLGetLastErrorMsg();
+  if (said.find(".shx") != std::string::npos)
+    return "the file " + file.stem().string() + ".shx that belongs to it is missing";
+  if (!said.empty()) return said;
+  std::array<char, 512> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff"))
+    return "it is text in UTF-16: save it as CSV in UTF-8";
+  if (start.starts_with("PK\x03\x04"))
+    return "it is an archive or a spreadsheet: unpack it, or save the table as CSV";
+  if (const std::string_view packed = describe_packed(start); !packed.empty())
+    return "it " + std::string(packed);
+  return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons "
+         "or tabs between its columns";
 }
 
 std::string list_layers(GDALDataset& dataset) {
@@ -57,6 +86,7 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
       to_lower(inventory.file.extension().string()) == ".tsv") {
     options.SetNameValue("X_POSSIBLE_NAMES", inventory.x.empty() ? x_names : inventory.x.c_str());
     options.SetNameValue("Y_POSSIBLE_NAMES", inventory.y.empty() ? y_names : inventory.y.c_str());
+    if (inventory.x.empty()) options.SetNameValue("GEOM_POSSIBLE_NAMES", geometry_names);
   }
   GDALDatasetUniquePtr dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                  drivers.data(), options.List(), nullptr));
@@ -64,7 +94,7 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
     throw Error(inventory.file.string(),
                 "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "
                 "FlatGeobuf): " +
-                    gdal::find_reason());
+                    explain_unread(inventory.file));
   return dataset;
 }
 

@@ -1,6 +1,7 @@
 // ANSI/IES LM-63: keyword lines, a TILT line, then numbers whose line breaks mean nothing.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -92,6 +93,31 @@ double finest_step(const std::vector<double>& angles) {
   return finest;
 }
 
+constexpr int plane_step = 2;  // degrees between the C planes of a resampled file
+
+/// Returns the candela in a direction of a grid. Where the file's angles end, light ends at once; a
+/// grid ramps to its next row, so that rows at the edge take the mean over their cell, which keeps
+/// the flux.
+double mean_at_edge(const std::function<std::optional<double>(double, double)>& find_candela,
+                    double c, double gamma, double row_step) {
+  constexpr int parts = 5;
+  const std::optional<double> here = find_candela(c, gamma);
+  const auto at = [&](double along_c, double along_gamma) {  // from -0.5 to 0.5
+    return find_candela(c + plane_step * along_c,
+                        std::clamp(gamma + row_step * along_gamma, 0.0, 90.0));
+  };
+  bool is_edge = false;
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5})
+      is_edge = is_edge || at(x, y).has_value() != here.has_value();
+  if (!is_edge) return here.value_or(0);
+  double sum = 0;
+  for (int i = 0; i < parts; ++i)
+    for (int k = 0; k < parts; ++k)
+      sum += at((i + 0.5) / parts - 0.5, (k + 0.5) / parts - 0.5).value_or(0);
+  return sum / (parts * parts);
+}
+
 /// Resamples a file of type A or B round the beam, in steps of a degree or of the file's own angles
 /// if they are finer. Such files count angles
 /// from an axis across the beam; here the beam is gamma = 0 and C = 0 is "up", so that a floodlight
@@ -113,34 +139,37 @@ IntensityGrid resample_ab(const TextLines& lines, const IesTable& file) {
   // A list that starts at 0 is mirrored.
   const bool mirror_h = file.horizontal.front() >= 0, mirror_v = file.vertical.front() >= 0;
   IntensityGrid grid;
-  for (int c = 0; c < 360; c += 2) grid.c_degrees.push_back(c);
+  for (int c = 0; c < 360; c += plane_step) grid.c_degrees.push_back(c);
   // Their angles end at 90 degrees from the beam: behind it there is no light.
   const double finest =
       std::clamp(std::min(finest_step(file.horizontal), finest_step(file.vertical)), 0.1, 1.0);
   const auto rows = static_cast<int>(std::ceil(90 / finest - 1e-6));
   for (int n = 0; n <= rows; ++n) grid.gamma_degrees.push_back(90.0 * n / rows);
-  for (const double c : grid.c_degrees)
-    for (const double gamma : grid.gamma_degrees) {
-      const double beam = std::cos(gamma * degree);
-      const double up = std::sin(gamma * degree) * std::cos(c * degree);
-      const double right = -std::sin(gamma * degree) * std::sin(c * degree);
-      double h, v;
-      if (file.type == 3) {  // A: V is the elevation above the beam's plane, H the azimuth
-        v = std::asin(std::clamp(up, -1.0, 1.0));
-        h = std::atan2(right, beam);
-      } else {  // B: H is the elevation, V the azimuth
-        h = std::asin(std::clamp(right, -1.0, 1.0));
-        v = std::atan2(up, beam);
-      }
-      h /= degree;
-      v /= degree;
-      if (mirror_h) h = std::abs(h);
-      if (mirror_v) v = std::abs(v);
-      const bool covered = h >= file.horizontal.front() - 1e-6 &&
-                           h <= file.horizontal.back() + 1e-6 &&
-                           v >= file.vertical.front() - 1e-6 && v <= file.vertical.back() + 1e-6;
-      grid.candela.push_back(covered ? sample(file, h, v) : 0);
+  // Returns the candela in a direction; none beyond the file's angles.
+  const auto find_candela = [&](double c, double gamma) -> std::optional<double> {
+    const double beam = std::cos(gamma * degree);
+    const double up = std::sin(gamma * degree) * std::cos(c * degree);
+    const double right = -std::sin(gamma * degree) * std::sin(c * degree);
+    double h, v;
+    if (file.type == 3) {  // A: V is the elevation above the beam's plane, H the azimuth
+      v = std::asin(std::clamp(up, -1.0, 1.0));
+      h = std::atan2(right, beam);
+    } else {  // B: H is the elevation, V the azimuth
+      h = std::asin(std::clamp(right, -1.0, 1.0));
+      v = std::atan2(up, beam);
     }
+    h /= degree;
+    v /= degree;
+    if (mirror_h) h = std::abs(h);
+    if (mirror_v) v = std::abs(v);
+    const bool covered = h >= file.horizontal.front() - 1e-6 &&
+                         h <= file.horizontal.back() + 1e-6 && v >= file.vertical.front() - 1e-6 &&
+                         v <= file.vertical.back() + 1e-6;
+    return covered ? std::optional(sample(file, h, v)) : std::nullopt;
+  };
+  for (const double c : grid.c_degrees)
+    for (const double gamma : grid.gamma_degrees)
+      grid.candela.push_back(mean_at_edge(find_candela, c, gamma, 90.0 / rows));
   return grid;
 }
 
@@ -159,6 +188,12 @@ std::optional<std::string> text_after(std::string_view line, std::string_view ke
   line.remove_prefix(keyword.size());
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   return std::string(line);
+}
+
+std::string_view find_first_text(const TextLines& lines) {
+  for (const TextLines::Line& line : lines.all())
+    if (!line.text.empty()) return line.text;
+  return {};
 }
 
 }  // namespace
@@ -183,8 +218,8 @@ Luminaire read_ies(const std::filesystem::path& path) {
   if (source != "NONE" && source != "INCLUDE")
     luminaire.notes.push_back("TILT=" + source + " is not read: lamps hang as they were measured");
 
-  const IesTable table = read_ies_table(lines, tilt + 1, source == "INCLUDE",
-                                        find_lm63_year(lines.all().front().text));
+  const IesTable table =
+      read_ies_table(lines, tilt + 1, source == "INCLUDE", find_lm63_year(find_first_text(lines)));
   if (table.has_text_after)
     luminaire.notes.push_back("the text after the candela values is not read");
   luminaire.width_m = table.width_m;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "formats/error.h"
+#include "formats/to_lower.h"
 
 namespace nightcity::lights {
 namespace {
@@ -148,13 +149,14 @@ bool has_inner_comma(const TextLines& lines, std::size_t first) {
 
 }  // namespace
 
-int find_lm63_year(std::string_view first_line) {
-  constexpr std::string_view standard = "LM-63-";
+int find_lm63_year(std::string_view line) {
+  constexpr std::string_view standard = "lm-63-";
   constexpr int oldest = 1986;
+  const std::string first_line = to_lower(line);
   std::size_t at = first_line.find(standard);
   if (at != std::string_view::npos)
     at += standard.size();
-  else if (first_line.starts_with("IESNA"))
+  else if (first_line.starts_with("iesna"))
     at = 5;
   else
     return oldest;

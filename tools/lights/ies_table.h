@@ -9,8 +9,8 @@
 
 namespace nightcity::lights {
 
-/// Returns the year of LM-63 that a file names in its first line: "IES:LM-63-2019",
-/// "IESNA:LM-63-2002", "IESNA91". 1986 for a file that names none, because the first edition asked
+/// Returns the year of LM-63 that a file names in its first line, in letters of either case:
+/// "IES:LM-63-2019", "IESNA:LM-63-2002", "IESNA91". 1986 for a file that names none, because the first edition asked
 /// for no such line.
 int find_lm63_year(std::string_view first_line);
 

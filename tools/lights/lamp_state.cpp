@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
 
 #include "tools/lights/is_one_of.h"
 #include "tools/osm/tag_values.h"
@@ -17,10 +15,12 @@ using std::string_view;
 constexpr std::array<string_view, 10> gone_keys = {
     "disused",   "abandoned",  "demolished", "removed",      "razed",
     "destroyed", "dismantled", "ruined",     "construction", "proposed"};
-constexpr std::array<string_view, 15> broken_words = {
-    "broken",  "out_of_order", "out_of_service", "defective",       "defect",
-    "damaged", "closed",       "disabled",       "decommissioned",  "inactive",
-    "off",     "no",           "not_working",    "non_operational", "not_operational"};
+constexpr std::array<string_view, 27> broken_words = {
+    "broken",      "out_of_order",    "out_of_service",  "defective",  "defect",     "damaged",
+    "closed",      "disabled",        "decommissioned",  "inactive",   "off",        "no",
+    "not_working", "non_operational", "not_operational", "faulty",     "vandalised", "vandalized",
+    "destroyed",   "missing",         "removed",         "dismantled", "demolished", "abandoned",
+    "disused",     "not_in_use",      "unused"};
 constexpr std::array<string_view, 10> working_words = {"operational", "yes",   "working", "ok",
                                                        "functional",  "open",  "active",  "in_use",
                                                        "good",        "normal"};
@@ -61,37 +61,47 @@ std::optional<int> take_digits(string_view& text, std::size_t count) {
 
 }  // namespace
 
-std::optional<Day> parse_last_day(string_view text) {
+std::optional<Days> parse_days(string_view text) {
   using namespace std::chrono;
+  constexpr std::size_t longest = 60;  // bounds the parts of parts
+  if (text.size() > longest) return std::nullopt;
   while (text.starts_with(' ') || text.starts_with('~')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
+  if (const std::size_t dots = text.find(".."); dots != string_view::npos) {
+    const auto from = parse_days(text.substr(0, dots)), to = parse_days(text.substr(dots + 2));
+    return from && to ? std::optional(Days{from->first, to->last}) : std::nullopt;
+  }
+  if (text.starts_with("before ")) {
+    const auto then = parse_days(text.substr(7));
+    return then ? std::optional(Days{Day::min(), then->first}) : std::nullopt;
+  }
+  for (const string_view part : {"early ", "mid ", "late "})
+    if (text.starts_with(part)) return parse_days(text.substr(part.size()));
+  const auto whole_years = [](int from, int to) {
+    return Days{Day(year(from) / January / 1), Day(year(to) / December / 31)};
+  };
+  if (text.starts_with('C')) {  // a century
+    text.remove_prefix(1);
+    const auto century = take_digits(text, 2);
+    if (!century || *century == 0 || !text.empty()) return std::nullopt;
+    return whole_years(100 * (*century - 1), 100 * *century - 1);
+  }
   const auto number = take_digits(text, 4);
   if (!number) return std::nullopt;
-  if (text == "s") return Day(year(*number + 9) / December / 31);
-  if (text.empty()) return Day(year(*number) / December / 31);
+  if (text == "s") return whole_years(*number, *number + 9);
+  if (text.empty()) return whole_years(*number, *number);
   text.remove_prefix(1);
   const auto month_number = take_digits(text, 2);
   if (!month_number) return std::nullopt;
   const auto month_of = month(static_cast<unsigned>(*month_number));
   if (!month_of.ok()) return std::nullopt;
-  if (text.empty()) return Day(year(*number) / month_of / last);
+  if (text.empty())
+    return Days{Day(year(*number) / month_of / 1), Day(year(*number) / month_of / last)};
   text.remove_prefix(1);
   const auto day_number = take_digits(text, 2);
   if (!day_number || !text.empty()) return std::nullopt;
   const auto date = year(*number) / month_of / day(static_cast<unsigned>(*day_number));
-  return date.ok() ? std::optional(Day(date)) : std::nullopt;
-}
-
-Day today() {
-  using namespace std::chrono;
-  if (const char* text = std::getenv("SOURCE_DATE_EPOCH")) {
-    std::int64_t value = 0;
-    const char* end = text + std::strlen(text);
-    if (const auto [stop, error] = std::from_chars(text, end, value);
-        error == std::errc() && stop == end && std::abs(value) < 1'000'000'000'000)
-      return floor<days>(sys_seconds(seconds(value)));
-  }
-  return floor<days>(system_clock::now());
+  return date.ok() ? std::optional(Days{Day(date), Day(date)}) : std::nullopt;
 }
 
 string_view find_outage(const osm::OsmTags& tags, Day day,
@@ -99,9 +109,14 @@ string_view find_outage(const osm::OsmTags& tags, Day day,
   const auto count_unread = [&](string_view key, const std::string& text) {
     ++unread[std::string(key) + "=" + text];
   };
-  for (const string_view key : gone_keys)
-    if (const std::string* text = find(tags, key); text && osm::normalise_tag(*text) == "yes")
+  for (const string_view key : gone_keys) {
+    const std::string* text = find(tags, key);
+    if (!text) continue;
+    const std::string word = osm::normalise_tag(*text);
+    const auto since = parse_days(*text);  // demolished=2019-05
+    if (word == "yes" || word == "true" || word == "1" || (since && since->first <= day))
       return "disused or demolished";
+  }
   for (const char* key : {"operational_status", "light:operational_status", "lamp:status"}) {
     const std::string* text = find(tags, key);
     if (!text) continue;
@@ -110,12 +125,12 @@ string_view find_outage(const osm::OsmTags& tags, Day day,
     if (!is_one_of(word, working_words)) count_unread(key, *text);
   }
   if (const std::string* text = find(tags, "end_date")) {
-    const auto end = parse_last_day(*text);
-    if (end && *end < day) return "end_date past";
+    const auto end = parse_days(*text);
+    if (end && end->last < day) return "end_date past";
     if (!end) count_unread("end_date", *text);
   }
   if (const std::string* text = find(tags, "start_date"))
-    if (const auto start = parse_last_day(*text); start && *start > day && text->size() == 10)
+    if (const auto start = parse_days(*text); start && start->first > day)
       return "start_date ahead";
   return is_below_ground(tags) ? "underground" : "";
 }

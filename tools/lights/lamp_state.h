@@ -13,13 +13,14 @@ namespace nightcity::lights {
 
 using Day = std::chrono::sys_days;
 
-/// Returns the last day of a date of OSM: "2015-05-01", "2015-05", "2015", "1980s", "~1998". Empty
-/// for other texts.
-std::optional<Day> parse_last_day(std::string_view text);
+struct Days {
+  Day first, last;
+};
 
-/// Returns the day by which dates of maps are judged: that of the environment's SOURCE_DATE_EPOCH
-/// (https://reproducible-builds.org/specs/source-date-epoch), if it is set, otherwise this one.
-Day today();
+/// Returns the first and last day of a date of OSM (its wiki, "Key:start_date"): "2015-05-01",
+/// "2015-05", "2015", "1980s", "~1998", "C19", "late 1990s", "before 1950", "2010..2015". Empty for
+/// other texts.
+std::optional<Days> parse_days(std::string_view text);
 
 /// Returns why the lamp gives no light, in words for a report: "disused or demolished", "broken",
 /// "end_date past", "start_date ahead", "underground". Empty for a lamp that works. Values of these

@@ -3,8 +3,6 @@
 #include <array>
 #include <utility>
 
-#include "formats/colour.h"
-
 namespace nightcity::lights {
 namespace {
 
@@ -99,15 +97,6 @@ constexpr Words<double, 12> colour_temperatures = {{{"warm_white", 2850},
                                                     {"cool", 5500},
                                                     {"daylight", 6500}}};
 
-// The colours of CSS by these names.
-constexpr Words<string_view, 7> colours = {{{"red", "#ff0000"},
-                                            {"green", "#008000"},
-                                            {"blue", "#0000ff"},
-                                            {"purple", "#800080"},
-                                            {"violet", "#ee82ee"},
-                                            {"pink", "#ffc0cb"},
-                                            {"turquoise", "#40e0d0"}}};
-
 constexpr Words<double, 24> compass_points = {
     {{"n", 0},           {"nne", 22.5},       {"ne", 45},          {"ene", 67.5},
      {"e", 90},          {"ese", 112.5},      {"se", 135},         {"sse", 157.5},
@@ -128,11 +117,6 @@ std::optional<LampType> find_lamp_type(string_view word) {
 
 std::optional<double> find_cct_k(string_view word) {
   return look_up(word, colour_temperatures);
-}
-
-std::optional<glm::vec3> find_lamp_colour(string_view word) {
-  const auto hex = look_up(word, colours);
-  return hex ? rec709_from_hex(*hex) : std::nullopt;
 }
 
 std::optional<double> find_bearing_degrees(string_view word) {

@@ -8,7 +8,9 @@
 #include "tools/lights/lamp_state.h"
 #include "tools/lights/lamp_tag_words.h"
 #include "tools/lights/lit_tag.h"
+#include "tools/osm/colour_words.h"
 #include "tools/osm/tag_values.h"
+#include "tools/today.h"
 
 namespace nightcity::lights {
 namespace {
@@ -136,18 +138,22 @@ class LampTagReader {
                             "light:colour_temperature", "colour_temperature"}) {
       const std::string* text = find(key);
       if (!text) continue;
-      const std::string word = osm::normalise_tag(*text);
-      if (word == "orange" || word == "yellow" || word == "amber") {
-        lamp_.colour = rec709_from_xy(*lamp_type_defaults(LampType::high_pressure_sodium).xy);
-        return;
-      }
-      lamp_.colour = find_lamp_colour(word);
-      if (!lamp_.colour) lamp_.colour = rec709_from_hex(word);
-      if (lamp_.colour) return;
-      lamp_.cct_k = parse_cct_k(*text);
-      if (lamp_.cct_k) return;
+      for (const string_view part : osm::split_list(*text))
+        if (read_colour(part)) return;
       count_unread(key, *text);
     }
+  }
+
+  bool read_colour(string_view text) {
+    const std::string word = osm::normalise_tag(text);
+    if (word == "orange" || word == "yellow" || word == "amber") {
+      lamp_.colour = rec709_from_xy(*lamp_type_defaults(LampType::high_pressure_sodium).xy);
+      return true;
+    }
+    lamp_.cct_k = parse_cct_k(text);  // "white" is one of lamps
+    if (lamp_.cct_k) return true;
+    if (const auto rgb = osm::parse_colour(text)) lamp_.colour = rec709_from_rgb(*rgb);
+    return lamp_.colour.has_value();
   }
 
   /// Directions, tilt and the number of luminaires.

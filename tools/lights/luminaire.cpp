@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
 
 #include "formats/error.h"
+#include "formats/to_lower.h"
+#include "tools/city/attributes.h"
 #include "tools/lights/text_lines.h"
 
 namespace nightcity::lights {
@@ -55,6 +59,17 @@ double mirror_error(const IntensityGrid& grid, double c) {
       sum += (left + right) * std::sin(radians(gamma));
     }
   return sum > 0 ? difference / sum : 0;
+}
+
+/// Calls `take` with each line of the text, without blanks around it, until it returns false.
+void for_each_line(std::string_view text, const std::function<bool(std::string_view)>& take) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view line = city::trim(text.substr(0, end));
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
+    if (!take(line)) return;
+  }
 }
 
 }  // namespace
@@ -147,13 +162,53 @@ Photometry Luminaire::photometry() const {
       static_cast<std::uint32_t>(std::lround(steps)) + 1, last);
 }
 
+bool begins_as_ies(std::string_view text) {
+  bool found = false;
+  for_each_line(text, [&](std::string_view line) {
+    const std::string start = to_lower(line.substr(0, 16));
+    found = is_tilt_line(line) || start.starts_with("iesna") || start.starts_with("ies:lm-63");
+    return !found;
+  });
+  return found;
+}
+
+bool begins_as_eulumdat(std::string_view text) {
+  struct Line {
+    double least, greatest;
+    bool whole;
+  };
+  // After the maker: type, symmetry, C planes and their distance, gamma angles and theirs.
+  constexpr std::array<Line, 6> wanted{{{0, 3, true},
+                                        {0, 4, true},
+                                        {1, 721, true},
+                                        {0, 360, false},
+                                        {2, 721, true},
+                                        {0, 180, false}}};
+  std::size_t number = 0;
+  bool fits = true;
+  for_each_line(text, [&](std::string_view line) {
+    if (number++ == 0) return true;
+    const Line& expected = wanted[number - 2];
+    std::string digits(line);
+    std::replace(digits.begin(), digits.end(), ',', '.');
+    const auto value = city::parse_number(digits);
+    fits = value && *value >= expected.least && *value <= expected.greatest &&
+           (!expected.whole || *value == std::floor(*value));
+    return fits && number <= wanted.size();
+  });
+  return fits && number > wanted.size();
+}
+
 Luminaire read_luminaire(const std::filesystem::path& file) {
   const TextLines lines(file);
-  for (const TextLines::Line& line : lines.all())
-    if (is_tilt_line(line.text) || line.text.starts_with("IESNA") ||
-        line.text.starts_with("IES:LM-63"))
-      return read_ies(file);
-  return read_eulumdat(file);
+  if (begins_as_ies(lines.text())) return read_ies(file);
+  try {
+    return read_eulumdat(file);
+  } catch (const Error& error) {
+    if (begins_as_eulumdat(lines.text())) throw;
+    throw Error("", std::string(error.what()) +
+                        "; it has no TILT= line either, so it is neither EULUMDAT nor IES");
+  }
 }
 
 }  // namespace nightcity::lights

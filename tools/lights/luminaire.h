@@ -51,6 +51,13 @@ double guess_street_side(const IntensityGrid& grid, double usual);
 /// "tilt = include", "TILT=lamp.tlt".
 bool is_tilt_line(std::string_view line);
 
+/// Returns whether the beginning of a text is that of an IES file: it holds the mark of an edition
+/// of LM-63, or a TILT line.
+bool begins_as_ies(std::string_view text);
+/// Returns whether the first lines of a text have the numbers that EULUMDAT puts there: type,
+/// symmetry, and how many C planes and gamma angles there are. The format has no mark.
+bool begins_as_eulumdat(std::string_view text);
+
 /// Reads IES LM-63-1986 to 2019, photometric types A, B and C, absolute and relative. Throws Error
 /// with the line.
 Luminaire read_ies(const std::filesystem::path& file);

@@ -73,8 +73,12 @@ std::optional<NightSpan> parse_night_span(std::string_view text) {
 }
 
 std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
-  const std::string value = osm::normalise_tag(text);  // blanks and dashes become underscores
-  if (value == "24/7") return dark_between(night_minutes, night_minutes);
+  constexpr std::string_view en_dash = "\xe2\x80\x93";
+  std::string written(text);
+  for (auto at = written.find(en_dash); at != std::string::npos; at = written.find(en_dash))
+    written.replace(at, en_dash.size(), "-");
+  const std::string value = osm::normalise_tag(written);  // blanks and dashes become underscores
+  if (value == "24/7" || value == "00:00_24:00") return dark_between(night_minutes, night_minutes);
   NightSchedule schedule;
   std::size_t used = 0;
   std::string_view rest = value;

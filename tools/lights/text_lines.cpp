@@ -6,12 +6,28 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "tools/city/text_encoding.h"
 
 namespace nightcity::lights {
 namespace {
+
+void append_utf8(std::uint32_t c, std::string& text) {
+  const auto put = [&text](std::uint32_t byte) { text += static_cast<char>(byte); };
+  if (c < 0x80) {
+    put(c);
+  } else if (c < 0x800) {
+    put(0xC0 | c >> 6), put(0x80 | (c & 63));
+  } else if (c < 0x10000) {
+    put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+  } else {
+    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63));
+    put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+  }
+}
 
 /// Returns a text in UTF-16, which begins with its byte order mark, in UTF-8. Half a pair of
 /// surrogates becomes U+FFFD.
@@ -23,7 +39,6 @@ std::string from_utf16(std::string_view bytes) {
                                       static_cast<unsigned char>(bytes[at + 1 - high]));
   };
   std::string text;
-  const auto put = [&text](std::uint32_t byte) { text += static_cast<char>(byte); };
   for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
     std::uint32_t c = unit(at);
     if (c >= 0xD800 && c < 0xE000) {
@@ -32,16 +47,7 @@ std::string from_utf16(std::string_view bytes) {
       c = pair ? 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00) : 0xFFFD;
       if (pair) at += 2;
     }
-    if (c < 0x80) {
-      put(c);
-    } else if (c < 0x800) {
-      put(0xC0 | c >> 6), put(0x80 | (c & 63));
-    } else if (c < 0x10000) {
-      put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-    } else {
-      put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63));
-      put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-    }
+    append_utf8(c, text);
   }
   return text;
 }
@@ -62,6 +68,7 @@ TextLines::TextLines(std::filesystem::path file) : name_(file.string()) {
     content_ = from_utf16(content_);
   else if (content_.starts_with("\xef\xbb\xbf"))
     content_.erase(0, 3);
+  content_ = city::decode_text(std::move(content_));
   if (const std::size_t end = content_.find('\x1a'); end != std::string::npos) content_.resize(end);
   if (content_.find('\0') != std::string::npos) throw Error(name_, "not a text file");
 

@@ -16,12 +16,14 @@ class TextLines {
     std::size_t number;     // from 1
   };
 
-  /// Reads a file in UTF-8 or a code page, or in UTF-16 with its mark. Lines end with CR LF, LF or
+  /// Reads a file in UTF-8 or Windows-1252, or in UTF-16 with its mark. Lines end with CR LF, LF or
   /// CR, and the text ends at a Ctrl-Z. Throws Error if it is missing, empty, larger than 16 MB (no
   /// luminaire file is) or holds a zero byte.
   explicit TextLines(std::filesystem::path file);
 
   const std::vector<Line>& all() const { return lines_; }
+  /// The whole text, in UTF-8.
+  const std::string& text() const { return content_; }
   const std::string& file() const { return name_; }
 
   /// Throws Error with a line of this file.

@@ -2,39 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
 
+#include "tools/osm/colour_words.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::map_buildings {
 namespace {
 
 constexpr float white_paint = 0.75f;
-
-struct Named {
-  std::string_view name;
-  std::uint32_t rgb;
-};
-
-// CSS Color 3, as the OSM wiki's "Key:building:colour" lists them, and what else people write.
-constexpr std::array colours{
-    Named{"black", 0x000000},       Named{"gray", 0x808080},        Named{"grey", 0x808080},
-    Named{"silver", 0xC0C0C0},      Named{"white", 0xFFFFFF},       Named{"maroon", 0x800000},
-    Named{"red", 0xFF0000},         Named{"olive", 0x808000},       Named{"yellow", 0xFFFF00},
-    Named{"green", 0x008000},       Named{"lime", 0x00FF00},        Named{"teal", 0x008080},
-    Named{"aqua", 0x00FFFF},        Named{"cyan", 0x00FFFF},        Named{"navy", 0x000080},
-    Named{"blue", 0x0000FF},        Named{"purple", 0x800080},      Named{"fuchsia", 0xFF00FF},
-    Named{"brown", 0xA52A2A},       Named{"beige", 0xF5F5DC},       Named{"orange", 0xFFA500},
-    Named{"pink", 0xFFC0CB},        Named{"tan", 0xD2B48C},         Named{"ivory", 0xFFFFF0},
-    Named{"lightgrey", 0xD3D3D3},   Named{"lightgray", 0xD3D3D3},   Named{"darkgrey", 0xA9A9A9},
-    Named{"darkgray", 0xA9A9A9},    Named{"lightyellow", 0xFFFFE0}, Named{"firebrick", 0xB22222},
-    Named{"salmon", 0xFA8072},      Named{"khaki", 0xF0E68C},       Named{"wheat", 0xF5DEB3},
-    Named{"cream", 0xFFFDD0},       Named{"darkred", 0x8B0000},     Named{"lightblue", 0xADD8E6},
-    Named{"saddlebrown", 0x8B4513}, Named{"sandybrown", 0xF4A460},  Named{"anthracite", 0x383E42},
-};
 
 struct Made {
   std::string_view name;
@@ -73,28 +51,13 @@ glm::vec3 for_each_channel(const glm::vec3& colour, const Change& change) {
   return {change(colour.x), change(colour.y), change(colour.z)};
 }
 
-std::optional<std::uint32_t> parse_colour(std::string_view text) {
-  const std::string word = osm::normalise_tag(text);
-  for (const Named& colour : colours)
-    if (colour.name == word) return colour.rgb;
-  if (word.size() != 4 && word.size() != 7) return std::nullopt;
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(word.data() + 1, word.data() + word.size(), value, 16);
-  if (word.front() != '#' || error != std::errc() || end != word.data() + word.size())
-    return std::nullopt;
-  if (word.size() == 7) return value;
-  // #abc stands for #aabbcc.
-  const std::uint32_t r = value >> 8 & 15u, g = value >> 4 & 15u, b = value & 15u;
-  return (r * 0x11) << 16 | (g * 0x11) << 8 | b * 0x11;
-}
-
 }  // namespace
 
 std::optional<glm::vec3> find_skin(const osm::OsmTags& tags, Skin skin) {
   const std::string part = skin == Skin::walls ? "building" : "roof";
   for (const std::string& key : {part + ":colour", part + ":color"})
     if (const auto found = tags.find(key); found != tags.end())
-      if (const auto rgb = parse_colour(found->second)) {
+      if (const auto rgb = osm::parse_colour(found->second)) {
         const glm::vec3 srgb = glm::vec3(*rgb >> 16 & 255u, *rgb >> 8 & 255u, *rgb & 255u) / 255.0f;
         return for_each_channel(srgb, [](float v) { return to_srgb(white_paint * to_linear(v)); });
       }

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -17,13 +18,14 @@ class OtherFrames {
   explicit OtherFrames(const std::optional<georeference::CityFrame>& first) : first_(first) {}
 
   // Returns false where one of the two frames is unknown; then the coordinates stay.
-  bool to_first(const std::string& srs_name, city::Ring& ring) {
+  bool to_first(const std::string& srs_name, city::Ring& ring,
+                const std::optional<glm::dvec3>& anchor) {
     auto found = frames_.find(srs_name);
     if (found == frames_.end()) found = frames_.emplace(srs_name, make_frame(srs_name, ring)).first;
     ++rings_[srs_name];
     const auto& frame = found->second;
     if (!frame || !first_ || !frame->has_lon_lat() || !first_->has_lon_lat()) return false;
-    frame->to_projected(ring);
+    frame->to_projected(ring, anchor);
     for (glm::dvec3& p : ring)
       p = glm::dvec3(first_->from_lon_lat(frame->to_lon_lat(glm::dvec2(p))), p.z);
     return true;
@@ -49,6 +51,17 @@ class OtherFrames {
 
 }  // namespace
 
+namespace {
+
+// Longitudes of one place are counted on where they pass 180 degrees.
+void add_corner(glm::dvec2 lon_lat, Bounds& degrees) {
+  if (degrees.min.x <= degrees.max.x)
+    lon_lat.x -= 360 * std::round((lon_lat.x - degrees.min.x) / 360);
+  degrees.add(glm::dvec3(lon_lat, 0));
+}
+
+}  // namespace
+
 Inspection inspect_city(const std::filesystem::path& file, const std::string& kind, int max_lod) {
   Inspection result = make_empty_inspection(kind);
   const city::CityHead head = inputs::read_city_head(file);
@@ -66,25 +79,30 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
   mesh::MeshReport mesh;
   std::size_t buildings = 0;
   std::string last_id;
+  std::size_t last_polygons = 0;
   city::ReadOptions options;
   options.max_lod = max_lod;
   options.srs_name = head.srs_name;
+  if (frame) options.height_unit_m = frame->height_unit_m();
   OtherFrames others(frame);
   const city::ReadReport report = inputs::read_city(file, options, [&](city::CityObject&& object) {
-    // Large objects come in pieces under one id.
-    if (object.id.empty() || object.id != last_id) {
+    // Large objects come in pieces under one id. Small ones without an id may share that of their line.
+    constexpr std::size_t least_polygons = 64;  // of a piece
+    if (object.id.empty() || object.id != last_id || last_polygons < least_polygons) {
       ++objects[city::name_of(object.type)];
       ++lods[object.lod < 0 ? "none" : std::to_string(object.lod)];
       if (object.type == city::ObjectType::building) ++buildings;
     }
     last_id = object.id;
+    last_polygons = object.polygons.size();
     for (city::Polygon& polygon : object.polygons) {
       if (polygon.srs_name) {
-        if (!others.to_first(*polygon.srs_name, polygon.exterior)) continue;
-        for (city::Ring& ring : polygon.interiors) others.to_first(*polygon.srs_name, ring);
+        if (!others.to_first(*polygon.srs_name, polygon.exterior, polygon.anchor)) continue;
+        for (city::Ring& ring : polygon.interiors)
+          others.to_first(*polygon.srs_name, ring, polygon.anchor);
       } else if (frame) {
-        frame->to_projected(polygon.exterior);
-        for (city::Ring& ring : polygon.interiors) frame->to_projected(ring);
+        frame->to_projected(polygon.exterior, polygon.anchor);
+        for (city::Ring& ring : polygon.interiors) frame->to_projected(ring, polygon.anchor);
       }
       for (const glm::dvec3& p : polygon.exterior) bounds.add(p);
     }
@@ -103,8 +121,11 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
     Bounds degrees;  // of the four corners: exact enough to find the place on a map
     for (const double x : {bounds.min.x, bounds.max.x})
       for (const double y : {bounds.min.y, bounds.max.y})
-        degrees.add(glm::dvec3(frame->to_lon_lat({x, y}), 0));
-    result["bbox_wgs84"] = degrees.to_json(2);
+        add_corner(frame->to_lon_lat({x, y}), degrees);
+    Inspection& box = result["bbox_wgs84"] = degrees.to_json(2);
+    // Across the antimeridian west is greater than east (RFC 7946, section 5.2).
+    if (degrees.max.x > 180) box[2] = degrees.max.x - 360;
+    if (degrees.min.x < -180) box[0] = degrees.min.x + 360;
   }
   for (const auto& [what, count] : report.skipped) result["skipped"][what] = count;
   result["version"] = report.version;

@@ -47,7 +47,7 @@ std::optional<Faces> GroupReader::next() {
       break;
     }
     const std::string_view key = take_word(line);
-    if (key == "f") {
+    if (key == "f" || key == "fo") {  // an old spelling
       read_face(line);
       if (in_pieces && current_.size() >= max_faces) return give(true);
     } else if (begins_object(key)) {

@@ -8,13 +8,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/osm/arranged_map.h"
+#include "tools/osm/osm_document.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/whole_tags.h"
 
@@ -250,24 +254,30 @@ auto guard(const std::filesystem::path& file, const Work& work) {
 MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
                         std::size_t max_nodes) {
   return guard(file, [&] {
-    const osmium::io::File map = open_map(file);
     osmium::TagsFilter filter{false};
     for (const std::string& key : selection.keys) filter.add_rule(true, key);
     TooLong too_long;
     osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
     TagCheck check;
-    osmium::io::Reader relations(map, osmium::osm_entity_bits::relation);
     RelationGate gate(manager, too_long);
-    osmium::apply(relations, check, gate);
-    relations.close();
-    manager.prepare_for_lookup();
     Places places(selection);
     Collector collector(selection);
-    osmium::io::Reader reader(map, osmium::osm_entity_bits::nwr, osmium::io::read_meta::yes);
-    osmium::apply(reader, check, places, manager.handler([&](osmium::memory::Buffer&& buffer) {
-      osmium::apply(buffer, collector);
-    }));
-    reader.close();
+    const auto collect = [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, collector); };
+    if (const auto document = find_osm_document(file)) {
+      ArrangedMap map = arrange_map(document->child("osm"));
+      osmium::apply(map.relations, gate);
+      manager.prepare_for_lookup();
+      osmium::apply(map.ways, places, manager.handler(collect));
+    } else {
+      const osmium::io::File packed = open_map(file);
+      osmium::io::Reader relations(packed, osmium::osm_entity_bits::relation);
+      osmium::apply(relations, check, gate);
+      relations.close();
+      manager.prepare_for_lookup();
+      osmium::io::Reader reader(packed, osmium::osm_entity_bits::nwr, osmium::io::read_meta::yes);
+      osmium::apply(reader, check, places, manager.handler(collect));
+      reader.close();
+    }
     MapAreas areas = std::move(collector).finish(places, too_long);
     std::size_t incomplete = 0;
     manager.for_each_incomplete_relation(
@@ -277,9 +287,31 @@ MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& 
   });
 }
 
+namespace {
+
+void take_places(const pugi::xml_node& parent, const char* name, std::vector<glm::dvec2>& places,
+                 std::size_t count) {
+  for (const pugi::xml_node& element : parent.children(name)) {
+    if (places.size() >= count) return;
+    const glm::dvec2 place = place_of(element);
+    if (std::abs(place.x) <= 180 && std::abs(place.y) <= 90) places.push_back(place);
+  }
+}
+
+}  // namespace
+
 std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std::size_t count) {
   return guard(file, [&] {
     std::vector<glm::dvec2> places;
+    if (const auto document = find_osm_document(file)) {
+      const pugi::xml_node root = document->child("osm");
+      take_places(root, "node", places, count);
+      for (const pugi::xml_node& way : root.children("way")) take_places(way, "nd", places, count);
+      for (const pugi::xml_node& relation : root.children("relation"))
+        for (const pugi::xml_node& member : relation.children("member"))
+          take_places(member, "nd", places, count);
+      return places;
+    }
     osmium::io::Reader reader(open_map(file), osmium::osm_entity_bits::nwr);
     const auto take = [&](const osmium::Location& place) {
       if (place.valid() && places.size() < count) places.emplace_back(place.lon(), place.lat());

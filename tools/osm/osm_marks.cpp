@@ -31,6 +31,13 @@ bool is_o5m(string_view start) {
   return start.starts_with("\xff\xe0");
 }
 
+bool is_xml(string_view start) {
+  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff")) return true;
+  if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+  const std::size_t first = start.find_first_not_of(" \t\r\n");
+  return first != string_view::npos && start[first] == '<';
+}
+
 bool is_bzip2(string_view start) {
   return start.starts_with("BZh");
 }

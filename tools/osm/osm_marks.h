@@ -8,6 +8,8 @@ namespace nightcity::osm {
 
 bool is_osm_pbf(std::string_view start);
 bool is_o5m(std::string_view start);
+/// Plain XML, in UTF-8 or UTF-16.
+bool is_xml(std::string_view start);
 bool is_bzip2(std::string_view start);
 
 /// Returns what a file with these first bytes is, and what to do about it, if it is related to OSM

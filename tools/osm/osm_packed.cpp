@@ -1,12 +1,16 @@
-// The only file of this library that includes libosmium: its headers are large.
+// Maps that libosmium reads: PBF, o5m, and XML packed by gzip or bzip2.
 #include <osmium/io/any_input.hpp>
 #include <osmium/osm.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "formats/error.h"
 #include "tools/osm/osm_collector.h"
+#include "tools/osm/osm_document.h"
 #include "tools/osm/osm_parsers.h"
 #include "tools/osm/whole_tags.h"
 
@@ -51,46 +55,20 @@ void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
   }
 }
 
-// libosmium passes over remarks. Only Overpass writes any, and names itself in the root element, so
-// nothing else is unpacked a second time.
-void read_remarks(const std::filesystem::path& file, osmium::io::file_compression compression,
-                  OsmCollector& collector) {
-  constexpr std::string_view begin = "<remark>", end = "</remark>";
-  constexpr std::size_t max_remark = 10'000, root_bytes = 4096;
-  const int descriptor = osmium::io::detail::open_for_reading(file.string());
-  const auto source =
-      osmium::io::CompressionFactory::instance().create_decompressor(compression, descriptor);
-  std::string text = source->read();
-  if (text.substr(0, root_bytes).find("Overpass") != std::string::npos) {
-    for (std::string block = source->read(); !block.empty() || !text.empty();
-         block = source->read()) {
-      text += block;
-      for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin)) {
-        const std::size_t close = text.find(end, at);
-        if (close == std::string::npos) break;
-        take_remark(file, 0, text.substr(at + begin.size(), close - at - begin.size()), collector);
-        text.erase(0, close + end.size());
-      }
-      if (block.empty()) break;
-      // A remark may lie across the border of two blocks.
-      if (text.size() > max_remark) text.erase(0, text.size() - max_remark);
-    }
-  }
-  source->close();
-}
-
 }  // namespace
 
 void read_osm_packed(const std::filesystem::path& file, const std::string& format,
                      OsmCollector& collector) {
+  if (std::optional<std::string> text = unpack_answer(file))
+    return collect_document(
+        parse_osm_document(*text, file).child("osm"), file,
+        [](std::ptrdiff_t) { return std::size_t{0}; }, collector);
   try {
     // Versions are part of what libosmium calls metadata.
     osmium::io::Reader reader(osmium::io::File(file.string(), format), osmium::osm_entity_bits::nwr,
                               osmium::io::read_meta::yes);
     while (const osmium::memory::Buffer buffer = reader.read()) collect(buffer, collector);
     reader.close();
-    if (format == "osm.gz") read_remarks(file, osmium::io::file_compression::gzip, collector);
-    if (format == "osm.bz2") read_remarks(file, osmium::io::file_compression::bzip2, collector);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {

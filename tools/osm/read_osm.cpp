@@ -36,9 +36,7 @@ void collect(const std::filesystem::path& file, OsmCollector& collector) {
   if (is_bzip2(start)) return read_osm_packed(file, "osm.bz2", collector);
   if (is_o5m(start)) return read_osm_packed(file, "o5m", collector);
   if (is_osm_pbf(start)) return read_osm_packed(file, "pbf", collector);
-  if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
-  const std::size_t text = start.find_first_not_of(" \t\r\n");
-  if (text != std::string_view::npos && start[text] == '<') return read_osm_xml(file, collector);
+  if (is_xml(start)) return read_osm_xml(file, collector);
   throw Error(file.string(), "not OSM data: neither XML, PBF, o5m, gzip nor bzip2");
 }
 

@@ -63,6 +63,8 @@ class Planner {
       if (file.use != Use::map) continue;
       if (!has_place_)
         leave_out(file, "cannot be laid under a model that names no CRS: say it by [city] crs");
+      else if (file.box.empty())
+        leave_out(file, "holds neither lamps, streets nor buildings");
       else if (!plan_.box.empty() && !plan_.box.is_near(file.box, overlap_degrees))
         leave_out(file, plan_.cities.empty() ? "covers another place than the first map"
                                              : "covers another place than the model");
@@ -151,15 +153,22 @@ class Planner {
   }
 
   std::string where_to_fetch() const {
-    constexpr double margin = 0.005;  // 500 m
-    return fmt::format(
-        "OpenStreetMap has it: curl -o map.osm "
-        "'https://overpass-api.de/api/map?bbox={:.4f},{:.4f},{:.4f},{:.4f}'; for more than a few "
-        "km an extract of https://download.geofabrik.de",
-        plan_.box.least.x - margin, plan_.box.least.y - margin, plan_.box.greatest.x + margin,
-        plan_.box.greatest.y + margin);
+    const double west = plan_.box.least.x - margin, east = plan_.box.greatest.x + margin;
+    std::string addresses = to_address(std::max(west, -180.0), std::min(east, 180.0), "map.osm");
+    // A request ends at the antimeridian.
+    if (east > 180) addresses += " and " + to_address(-180, east - 360, "map_east.osm");
+    if (west < -180) addresses += " and " + to_address(west + 360, 180, "map_west.osm");
+    return "OpenStreetMap has it: " + addresses +
+           "; for more than a few km an extract of https://download.geofabrik.de";
   }
 
+  std::string to_address(double west, double east, const char* file) const {
+    return fmt::format(
+        "curl -o {} 'https://overpass-api.de/api/map?bbox={:.4f},{:.4f},{:.4f},{:.4f}'", file, west,
+        plan_.box.least.y - margin, east, plan_.box.greatest.y + margin);
+  }
+
+  static constexpr double margin = 0.005;  // degrees, 500 m
   const std::vector<SurveyedFile>& files_;
   Plan plan_;
   bool has_place_ = true;  // places of the earth can be laid under the model

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
@@ -17,6 +18,7 @@
 #include "tools/inputs/read_city.h"
 #include "tools/inventory/look_at_table.h"
 #include "tools/inventory/read_inventory.h"
+#include "tools/lights/luminaire.h"
 #include "tools/osm/read_osm.h"
 #include "tools/terrain/elevation_model.h"
 
@@ -97,6 +99,13 @@ void look_at_table(SurveyedFile& file) {
     guess.crs = "EPSG:4326";
     file.what += "; names no CRS: longitude and latitude are assumed";
   }
+  // Trees and benches are points too.
+  if (!look.speaks_of_lamps) {
+    file.what +=
+        ": nothing in these names speaks of lamps; a table that holds some belongs in "
+        "[[lamps.inventories]]";
+    return;
+  }
   const inventory::Inventory read = inventory::read_inventory(guess);
   for (const osm::OsmLampNode& lamp : read.lamps) file.box.add(lamp.lon_lat);
   file.use = Use::inventory;
@@ -112,6 +121,12 @@ void look_at_raster(SurveyedFile& file) {
                           file.has_crs ? "" : ", names no CRS: that of the city is taken");
 }
 
+void look_at_luminaire(SurveyedFile& file, const std::string& format) {
+  const lights::Luminaire luminaire = lights::read_luminaire(file.path);
+  file.use = Use::luminaire;
+  file.what = fmt::format("{}, photometry of a luminaire of {:.0f} lm", format, luminaire.flux_lm);
+}
+
 void look_at_format(SurveyedFile& file) {
   const inputs::FileFormat& format = inputs::find_format(file.path);
   switch (format.kind) {
@@ -120,9 +135,7 @@ void look_at_format(SurveyedFile& file) {
     case inputs::FileKind::osm:
       return look_at_map(file);
     case inputs::FileKind::luminaire:
-      file.use = Use::luminaire;
-      file.what = std::string(format.name) + ", photometry of a luminaire";
-      return;
+      return look_at_luminaire(file, format.name);
     case inputs::FileKind::scene:
     case inputs::FileKind::lights:
       file.what = std::string(format.name) + ": a finished scene, not what one is made from";
@@ -147,12 +160,24 @@ SurveyedFile look_at(const fs::path& path) {
     return file;
   }
   if (attempt(look_at_format)) return file;
-  if (inventory::is_named_as_table(path) && attempt(look_at_table)) return file;
+  if (inventory::is_named_as_table(path)) {
+    const std::string as_other = std::exchange(why, {});
+    if (attempt(look_at_table)) return file;
+    // What a table lacks says more than that it is no city model; of JSON there are many kinds.
+    if (to_lower(path.extension().string()) == ".json" && why.find("is no table") != why.npos)
+      why = as_other;
+  }
   if (attempt(look_at_raster)) return file;
   file.use = Use::nothing;
   const std::string prefix = path.string() + ": ";
   file.what = why.starts_with(prefix) ? why.substr(prefix.size()) : why;
   return file;
+}
+
+// Returns the whole turns, in degrees, by which `longitude` is to be lowered to come next to
+// another.
+double turns_between(double other, double longitude) {
+  return 360 * std::round((longitude - other) / 360);
 }
 
 bool is_hidden(const fs::path& path) {
@@ -179,15 +204,20 @@ void list_files(const fs::path& path, std::set<fs::path>& files) {
 
 }  // namespace
 
-void Box::add(const glm::dvec2& lon_lat) {
+void Box::add(glm::dvec2 lon_lat) {
   if (!std::isfinite(lon_lat.x) || !std::isfinite(lon_lat.y)) return;
+  if (!empty()) lon_lat.x -= turns_between(least.x, lon_lat.x);
   least = glm::min(least, lon_lat);
   greatest = glm::max(greatest, lon_lat);
 }
 
 bool Box::is_near(const Box& other, double degrees) const {
-  return least.x - degrees <= other.greatest.x && other.least.x - degrees <= greatest.x &&
-         least.y - degrees <= other.greatest.y && other.least.y - degrees <= greatest.y;
+  if (empty() || other.empty()) return false;
+  const double middle = (other.least.x + other.greatest.x) / 2;
+  const double turns = turns_between((least.x + greatest.x) / 2, middle);
+  return least.x - degrees <= other.greatest.x - turns &&
+         other.least.x - turns - degrees <= greatest.x && least.y - degrees <= other.greatest.y &&
+         other.least.y - degrees <= greatest.y;
 }
 
 std::vector<SurveyedFile> survey_files(const std::vector<fs::path>& paths) {

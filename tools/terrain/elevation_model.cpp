@@ -1,18 +1,24 @@
 #include "tools/terrain/elevation_model.h"
 
+#include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <glm/common.hpp>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "formats/packed_file.h"
+#include "tools/city/attributes.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/height_unit.h"
 #include "tools/terrain/raster_formats.h"
@@ -21,6 +27,15 @@ namespace nightcity::terrain {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// Tells values that stand for no height although the raster does not declare them: beyond any height
+// on the Earth, or a number that producers write, and lower than any land. `stored`: the pixel's.
+bool is_fill_value(double stored, double metres) {
+  constexpr double lowest_land = -500;  // the shore of the Dead Sea lies at -430 m
+  constexpr double lowest = -9'900, highest = 9'000;
+  if (!(metres > lowest && metres < highest)) return true;
+  return metres < lowest_land && city::is_sentinel(stored);
+}
 
 // Colours are no heights, though the numbers of a picture can be read as such.
 void refuse_picture(GDALDataset& dataset, const std::string& name) {
@@ -57,6 +72,22 @@ void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& n
                           "[terrain] max_dem_block_mpx in a recipe");
 }
 
+// Returns what GDAL said or, where it knows nothing of the file, what that is.
+std::string explain_unread(const std::filesystem::path& file) {
+  std::array<char, 512> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (start.empty()) return "it is empty";
+  if (start.starts_with("\x1f\x8b")) return "it is packed by gzip: unpack it first (gunzip)";
+  if (start.starts_with("PK\x03\x04")) return "it is a zip archive: unpack it first";
+  if (const std::string_view packed = describe_packed(start); !packed.empty())
+    return "it " + std::string(packed);
+  const std::string said = CPLGetLastErrorMsg();
+  return said.empty() ? "it is in none of the formats of rasters that are read (GeoTIFF, ...)"
+                      : said;
+}
+
 }  // namespace
 
 struct ElevationModel::State {
@@ -67,7 +98,7 @@ struct ElevationModel::State {
   std::vector<GDALRasterBand*> masks;  // zero where there are no data
   bool in_degrees = false;
   double resolution = 0, scale = 1, offset = 0, no_data = nothing;
-  double unit = 1;  // metres in the unit of heights
+  double unit = 1;  // metres in the unit of heights; negative where they are depths
   std::unique_ptr<OGRCoordinateTransformation> transformation;
 
   // Returns pixel coordinates; (0, 0) is the first pixel's centre.
@@ -116,7 +147,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   s.dataset.reset(
       GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, list_allowed_drivers()));
   if (!s.dataset || s.dataset->GetRasterCount() < 1)
-    throw Error(s.name, "is no raster of heights: " + gdal::find_reason());
+    throw Error(s.name, "is no raster of heights: " + explain_unread(file));
   refuse_picture(*s.dataset, s.name);
   s.band = s.dataset->GetRasterBand(1);
   s.masks = find_masks(*s.dataset, *s.band);
@@ -132,6 +163,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   if (const double value = s.band->GetOffset(&said); said) s.offset = value;
 
   s.unit = find_height_unit(*s.band, s.dataset->GetSpatialRef(), s.name);
+  if (counts_downward(s.dataset->GetSpatialRef())) s.unit = -s.unit;
 
   double unit_m = 1;
   if (const OGRSpatialReference* crs = s.dataset->GetSpatialRef(); crs && !crs->IsEmpty()) {
@@ -199,8 +231,7 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
                            static_cast<std::size_t>(x - low.x);
     if (is_no_data(window[at])) return nothing;
     const double metres = (window[at] * scale + offset) * unit;
-    // Beyond any height on the Earth: a fill value that the raster does not declare.
-    return metres > -12'000 && metres < 9'000 ? metres : nothing;
+    return is_fill_value(window[at], metres) ? nothing : metres;
   };
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     if (is_outside(pixels[i])) continue;

@@ -14,4 +14,7 @@ namespace nightcity::terrain {
 double find_height_unit(GDALRasterBand& band, const OGRSpatialReference* crs,
                         const std::string& file);
 
+/// Returns whether the vertical part of `crs` (may be null) counts depths and no heights.
+bool counts_downward(const OGRSpatialReference* crs);
+
 }  // namespace nightcity::terrain

@@ -43,6 +43,16 @@ Outcome run_work(std::function<void()> work, std::vector<const char*> arguments 
   return run(make_program(std::move(work)), std::move(arguments));
 }
 
+TEST(RunProgram, AnUnknownCommandIsNamedWithTheNearest) {
+  const Outcome typo = run_work([] {}, {"wrok"});
+  EXPECT_EQ(typo.exit_code, 2);
+  EXPECT_NE(typo.err.find("there is no command \"wrok\"; did you mean \"work\"?"),
+            std::string::npos)
+      << typo.err;
+  EXPECT_NE(run_work([] {}, {"work", "--bogus"}).err.find("--bogus"), std::string::npos);
+  EXPECT_NE(run_work([] {}, {"-q"}).err.find("subcommand"), std::string::npos);
+}
+
 TEST(RunProgram, PrintsResultsToStdoutAndNothingElse) {
   const Outcome outcome = run_work([] { std::printf("42\n"); });
   EXPECT_EQ(outcome.exit_code, 0);

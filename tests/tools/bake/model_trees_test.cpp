@@ -78,6 +78,44 @@ TEST(BakeModelTrees, ModelsOfPartsHaveTheSameTrees) {
                         folder / "out", {1, 3});
 }
 
+// Shapes are in metres and places in degrees: trees stand 5 m east and north of their points. They have
+// no ids, and stand on one line of the file.
+TEST(BakeModelTrees, TreesOfModelsInDegreesStandWhereTheirMatrixSays) {
+  const auto surface = [](const std::string& places) {
+    return "<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing><gml:posList>" + places +
+           "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon></gml:surfaceMember>";
+  };
+  std::string text =
+      "<core:CityModel xmlns:core=\"http://www.opengis.net/citygml/2.0\" "
+      "xmlns:gml=\"http://www.opengis.net/gml\" "
+      "xmlns:luse=\"http://www.opengis.net/citygml/landuse/2.0\" "
+      "xmlns:veg=\"http://www.opengis.net/citygml/vegetation/2.0\"><gml:boundedBy><gml:Envelope "
+      "srsName=\"http://www.opengis.net/def/crs/EPSG/0/6697\"/></gml:boundedBy>"
+      "<core:cityObjectMember><luse:LandUse><luse:lod1MultiSurface><gml:MultiSurface>" +
+      surface(
+          "35.679 139.749 30 35.679 139.752 30 35.682 139.752 30 35.682 139.749 30 "
+          "35.679 139.749 30") +
+      "</gml:MultiSurface></luse:lod1MultiSurface></luse:LandUse></core:cityObjectMember>";
+  for (const char* latitude : {"35.6801", "35.6805"})
+    text +=
+        "<core:cityObjectMember><veg:SolitaryVegetationObject><veg:height uom=\"m\">9"
+        "</veg:height><veg:lod2ImplicitRepresentation><core:ImplicitGeometry>"
+        "<core:transformationMatrix>1 0 0 5 0 1 0 5 0 0 1 0 0 0 0 1"
+        "</core:transformationMatrix><core:relativeGMLGeometry><gml:MultiSurface>" +
+        surface("-1 0 0 1 0 0 1 0 9 -1 0 0") +
+        "</gml:MultiSurface></core:relativeGMLGeometry><core:referencePoint><gml:Point>"
+        "<gml:pos>" +
+        std::string(latitude) +
+        " 139.75 30</gml:pos></gml:Point></core:referencePoint></core:ImplicitGeometry>"
+        "</veg:lod2ImplicitRepresentation></veg:SolitaryVegetationObject>"
+        "</core:cityObjectMember>";
+  const TempFolder folder;
+  std::ofstream(folder / "town.gml") << text << "</core:CityModel>";
+  const Shown shown = bake_town(folder.path(), "[ground]\nhorizon = false\n");
+  EXPECT_EQ(shown.trunks, 2u);
+  EXPECT_EQ(shown.vegetation_triangles, 0u);
+}
+
 // A tree of a file that is not there, which is a point and a few attributes, beside the town's.
 TEST(BakeModelTrees, ATreeWithoutSurfacesStandsOnTheGround) {
   const TempFolder folder;

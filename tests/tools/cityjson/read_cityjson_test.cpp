@@ -263,6 +263,44 @@ TEST(CityJson, APlantHasItsSizesAndStandsAtItsPointOrTemplate) {
   EXPECT_TRUE(read.find("f")->points.empty());
 }
 
+TEST(CityJson, WhatHasEndedIsLeftOutAndCounted) {
+  const auto read = [](const std::string& attributes) {
+    return read_city(
+        city_json(object("b", "Building", solid(), "\"attributes\":{" + attributes + "}") + "," +
+                  object("c", "Building", solid())));
+  };
+  for (const char* past : {"\"validTo\":1990", "\"terminationDate\":\"2001-02-03\""}) {
+    const City city = read(past);
+    ASSERT_EQ(city.objects.size(), 1u) << past;
+    EXPECT_EQ(city.objects[0].id, "c");
+    EXPECT_EQ(city.report.skipped.at("polygon: of an object that ended"), 6u);
+  }
+  EXPECT_EQ(read("\"validTo\":9998").objects.size(), 2u);
+}
+
+TEST(CityJson, AMeasureMayHaveAUnit) {
+  for (const auto& [text, metres] :
+       {std::pair("12.5", 12.5), std::pair("\"12.5\"", 12.5),
+        std::pair("{\"value\":10,\"uom\":\"ft\"}", 3.048), std::pair("{\"value\":7}", 7.0)}) {
+    const City read = read_city(
+        city_json(object("b", "Building", solid(),
+                         "\"attributes\":{\"measuredHeight\":" + std::string(text) + "}")));
+    EXPECT_NEAR(read.objects.at(0).measured_height_m.value(), metres, 1e-12) << text;
+  }
+}
+
+TEST(CityJson, ATemplatesMatrixIsHomogeneousAndItsPlaceIsKept) {
+  const std::string instance =
+      "{\"type\":\"GeometryInstance\",\"template\":0,\"boundaries\":[6],"
+      "\"transformationMatrix\":[0,-4,0,0, 4,0,0,0, 0,0,4,1, 0,0,0,2]}";
+  const City read = read_city(city_json(object("f", "CityFurniture", instance), unit_triangle));
+  ASSERT_EQ(read.objects.at(0).polygons.size(), 1u);
+  const city::Polygon& shape = read.objects[0].polygons[0];
+  const city::Ring expected{{12, 23, 34.5}, {12, 25, 34.5}, {10, 23, 34.5}};
+  for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(shape.exterior[i], expected[i]), 1e-12);
+  EXPECT_EQ(shape.anchor, glm::dvec3(12, 23, 34));
+}
+
 TEST(CityJson, ExtensionsAreSkippedAndCounted) {
   const City read = read_city(city_json(
       object("n", "+NoiseBarrier", solid(), "\"children\":[\"p\"]") + "," +

@@ -36,6 +36,13 @@ TEST(SrsNames, SwissNameMeansTheProjectedSystem) {
   EXPECT_EQ(list_crs_definitions(" CH1903+ "), std::vector<std::string>{"EPSG:2056"});
 }
 
+TEST(SrsNames, ACodeAloneIsThatOfEpsgAndLongitudeComesFirstInCrs84) {
+  EXPECT_EQ(list_crs_definitions("27700"), std::vector<std::string>{"EPSG:27700"});
+  EXPECT_EQ(list_crs_definitions("25832").front(), "EPSG:25832");
+  EXPECT_EQ(list_crs_definitions("CRS:84"), std::vector<std::string>{"OGC:CRS84"});
+  EXPECT_EQ(list_crs_definitions("123").front(), "123");
+}
+
 TEST(SrsNames, NoNameGivesNoDefinition) {
   EXPECT_TRUE(list_crs_definitions("").empty());
   EXPECT_TRUE(list_crs_definitions("  \n").empty());

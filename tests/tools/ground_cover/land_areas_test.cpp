@@ -105,6 +105,70 @@ TEST(LandAreas, ReadsMultipolygonsAndCountsWhatIsBroken) {
   EXPECT_TRUE(mesh::holds(cover.areas().at(0).rings, {1, 4.5}));
 }
 
+// A lake of two ways with an island, in the orders and forms in which Overpass answers.
+TEST(LandAreas, AnswersOfOverpassHaveTheirAreasInAnyOrder) {
+  const std::string nodes = R"(
+<node id="3" lon="9" lat="9"/><node id="1" lon="0" lat="0"/><node id="2" lon="9" lat="0"/>
+<node id="4" lon="0" lat="9"/><node id="5" lon="3" lat="3"/><node id="6" lon="6" lat="3"/>
+<node id="7" lon="6" lat="6"/><node id="8" lon="3" lat="6"/>)";
+  const std::string ways = R"(
+<way id="3"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/></way>
+<way id="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/></way>
+<way id="2"><nd ref="3"/><nd ref="4"/><nd ref="1"/></way>)";
+  const std::string relation = R"(<relation id="1"><member type="way" ref="1" role="outer"/>
+  <member type="way" ref="2" role="outer"/><member type="way" ref="3" role="inner"/>
+  <tag k="type" v="multipolygon"/><tag k="natural" v="water"/></relation>)";
+  const std::string with_places = R"(<relation id="1"><bounds minlat="0"/>
+  <member type="way" ref="1" role="outer"><nd lat="0" lon="0"/><nd lat="0" lon="9"/>
+    <nd lat="9" lon="9"/></member>
+  <member type="way" ref="2" role="outer"><nd lat="9" lon="9"/><nd lat="9" lon="0"/>
+    <nd lat="0" lon="0"/></member>
+  <member type="way" ref="3" role="inner"><nd lat="3" lon="3"/><nd lat="3" lon="6"/>
+    <nd lat="6" lon="6"/><nd lat="6" lon="3"/><nd lat="3" lon="3"/></member>
+  <tag k="type" v="multipolygon"/><tag k="natural" v="water"/></relation>)";
+  const std::string centre = R"(<way id="9"><center lat="1" lon="1"/><nd ref="1"/>
+  <tag k="natural" v="wood"/></way>)";
+  const test::TempFolder folder;
+  for (const std::string& content :
+       {nodes + ways + relation, ways + relation + nodes, relation + ways + nodes, with_places,
+        ways + with_places, nodes + ways + relation + centre}) {
+    std::ofstream(folder / "map.osm")
+        << "<osm version=\"0.6\" generator=\"Overpass API\">" << content << "</osm>";
+    const osm::MapAreas map = osm::read_map_areas(folder / "map.osm", select_land(), 1000);
+    ASSERT_EQ(map.areas.size(), 1u) << content;
+    EXPECT_EQ(map.areas[0].id, "relation/1");
+    ASSERT_EQ(map.areas[0].rings.size(), 1u);
+    EXPECT_EQ(map.areas[0].rings[0].outer.size(), 4u);
+    EXPECT_EQ(map.areas[0].rings[0].holes.size(), 1u);
+  }
+}
+
+TEST(LandAreas, WhatAnEditorDeletedIsGoneAndTheNewestPlaceOfANodeCounts) {
+  const std::string square = R"(
+<node id="1" version="1" lon="0" lat="0"/><node id="2" version="1" lon="9" lat="0"/>
+<node id="3" version="2" lon="9" lat="8"/><node id="3" version="1" lon="9" lat="9"/>
+<way id="1" version="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/>
+  <tag k="natural" v="wood"/></way>)";
+  const test::TempFolder folder;
+  const auto read = [&](const std::string& more) {
+    std::ofstream(folder / "map.osm") << "<osm version=\"0.6\">" << square << more << "</osm>";
+    return osm::read_map_areas(folder / "map.osm", select_land(), 1000);
+  };
+  const osm::MapAreas map = read("");
+  ASSERT_EQ(map.areas.size(), 1u);
+  EXPECT_EQ(map.areas[0].rings.at(0).outer.at(2), glm::dvec2(9, 8));
+  EXPECT_TRUE(read("<way id=\"1\" version=\"2\" visible=\"false\"/>").areas.empty());
+  EXPECT_TRUE(read("<way id=\"1\" version=\"1\" action=\"delete\"/>").areas.empty());
+  const std::string relation =
+      "<member type=\"way\" ref=\"1\" role=\"outer\"/><tag k=\"type\" v=\"multipolygon\"/>"
+      "<tag k=\"natural\" v=\"water\"/></relation>";
+  EXPECT_EQ(read("<relation id=\"1\" version=\"1\">" + relation).areas.size(), 2u);
+  EXPECT_EQ(read("<relation id=\"1\" version=\"1\" action=\"delete\">" + relation).areas.size(),
+            1u);
+  EXPECT_EQ(read("<relation id=\"1\" version=\"3\" visible=\"false\">" + relation).areas.size(),
+            1u);
+}
+
 TEST(LandAreas, HostileAreasEndWithoutACrash) {
   const double nan = std::nan("");
   const std::vector<osm::MapArea> areas{

@@ -6,6 +6,8 @@
 
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "formats/error.h"
 #include "tests/tools/citygml/small_city.h"
@@ -92,10 +94,13 @@ std::string reason_for(const std::string& content, const std::string& ending) {
   return "read";
 }
 
-std::string zipped(const std::string& name, const std::string& content) {
+std::string zipped(const std::string& name, const std::string& content,
+                   const std::vector<std::pair<std::string, std::string>>& more = {}) {
   const TemporaryFile file("", ".zip");
   zip_t* const zip = zip_open(file.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
   zip_file_add(zip, name.c_str(), zip_source_buffer(zip, content.data(), content.size(), 0), 0);
+  for (const auto& [other, bytes] : more)
+    zip_file_add(zip, other.c_str(), zip_source_buffer(zip, bytes.data(), bytes.size(), 0), 0);
   EXPECT_EQ(zip_close(zip), 0);
   std::ifstream in(file.path(), std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -107,6 +112,35 @@ TEST(FileFormat, WhatAnArchiveHoldsIsSaidOfItsEntry) {
                     text = reason_for(zipped("../b.gml", "hello"), ".zip");
   EXPECT_NE(other.find("/a/b.gml: is XML of another kind"), std::string::npos) << other;
   EXPECT_NE(text.find("/../b.gml: is of no format"), std::string::npos) << text;
+}
+
+TEST(FileFormat, HiddenEntriesOfAnArchiveAreNoCities) {
+  const std::string archive =
+      zipped("a.gml", city_text, {{"__MACOSX/._a.gml", std::string("\0\5\26\7 Mac OS X", 13)}});
+  const TemporaryFile file(archive, ".zip");
+  EXPECT_STREQ(find_format(file.path()).name, "CityGML");
+  std::size_t buildings = 0;
+  read_city(file.path(), {}, [&](city::CityObject&&) { ++buildings; });
+  EXPECT_EQ(buildings, 1u);
+  const std::string nested = reason_for(zipped("tiles/inner.zip", archive), ".zip");
+  EXPECT_NE(nested.find("another packed file (tiles/inner.zip)"), std::string::npos) << nested;
+}
+
+TEST(FileFormat, TextMayBeUtf32) {
+  for (const bool big_endian : {false, true}) {
+    std::string wide = big_endian ? std::string("\0\0\xfe\xff", 4) : std::string("\xff\xfe\0\0", 4);
+    for (const char c : city_text) {
+      std::string unit = {c, '\0', '\0', '\0'};
+      wide += big_endian ? std::string(unit.rbegin(), unit.rend()) : unit;
+    }
+    EXPECT_EQ(name_of_format(wide, ".gml"), "CityGML") << big_endian;
+  }
+}
+
+TEST(FileFormat, LuminairesAreToldByTheirContent) {
+  EXPECT_EQ(name_of_format("TILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n", ".txt"), "IES");
+  EXPECT_EQ(name_of_format("Maker\r\n1\r\n1\r\n24\r\n15\r\n19\r\n5\r\nreport\r\n", ".txt"),
+            "EULUMDAT");
 }
 
 TEST(FileFormat, WhatAFileIsNotIsSaidWithTheRemedy) {
@@ -136,6 +170,18 @@ TEST(FileFormat, WhatAFileIsNotIsSaidWithTheRemedy) {
            Case{"<ows:ExceptionReport>", ".gml", "reports an error"},
            Case{"<gml:Dictionary>", ".xml", "is a code list"},
            Case{"<a:Other>", ".xml", "root element is <Other>"},
+           Case{"<ogr:FeatureCollection xmlns:ogr='o'><gml:featureMember><ogr:houses/>", ".gml",
+                "is GML, but not CityGML"},
+           Case{"<wfs:FeatureCollection xmlns:bu='http://inspire.ec.europa.eu/bu'><wfs:member>",
+                ".gml", "is INSPIRE data"},
+           Case{"  0\r\nSECTION\r\n  2\r\nHEADER\r\n", ".dxf", "is a drawing (DXF)"},
+           Case{"Kaydara FBX Binary  ", ".fbx", "is FBX"},
+           Case{"ply\nformat ascii 1.0\n", ".ply", "is PLY"},
+           Case{"fgb\3fgb", ".fgb", "is FlatGeobuf"},
+           Case{"{\"type\":\"Feature\",\"geometry\":{}}", ".json", "is GeoJSON"},
+           Case{"{\"type\":\"CityJSONExtension\"}", ".json", "is an extension of CityJSON"},
+           Case{gzipped(gzipped("hello")), ".gz", "by gzip twice"},
+           Case{zipped("[Content_Types].xml", "<Types/>"), ".xlsx", "save a table as CSV"},
        }) {
     const std::string said = reason_for(c.content, c.ending);
     EXPECT_NE(said.find(c.words), std::string::npos) << c.words << ": " << said;

@@ -105,6 +105,30 @@ TEST(Inventory, ACsvHasItsPlacesInColumnsAndItsCrsInTheRecipe) {
   EXPECT_NE(error_of([&] { read_inventory(file); }).find("unknown CRS"), std::string::npos);
 }
 
+TEST(Inventory, ACsvMayHoldGeometriesAsTextAndNamesInCodePages) {
+  const TempFolder folder;
+  const auto place_of = [&](const std::string& text) {
+    write_text(folder / "lamps.csv", text);
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:4326";
+    file.columns = {{"height", "H\xC3\xB6he"}};
+    const Inventory read = read_inventory(file);
+    EXPECT_EQ(read.lamps.at(0).tags.at("height"), "8,5") << text;
+    return read.lamps.at(0).lon_lat;
+  };
+  for (const char* text : {"id;the_geom;H\xC3\xB6he\n1;POINT (13.4 52.5);8,5\n",
+                           "id;geo_shape;H\xC3\xB6he\n1;\"{\"\"type\"\":\"\"Point\"\","
+                           "\"\"coordinates\"\":[13.4,52.5]}\""
+                           ";8,5\n",
+                           "id;L\xC3\xA4ngengrad;Breitengrad;H\xC3\xB6he\n1;13,4;52,5;8,5\n",
+                           "id;Laengengrad;Breitengrad;H\xF6he\n1;13,4;52,5;8,5\n"}) {
+    const glm::dvec2 place = place_of(text);
+    EXPECT_NEAR(place.x, 13.4, 1e-6) << text;
+    EXPECT_NEAR(place.y, 52.5, 1e-6) << text;
+  }
+}
+
 // Writes the same lamp in EPSG:25833 by a driver of GDAL.
 void write_lamp(const std::filesystem::path& path, const char* driver, bool with_crs = true) {
   gdal::register_drivers();
@@ -235,6 +259,19 @@ TEST(Inventory, WhatCannotBeReadIsAnErrorWithARemedy) {
   file.crs = "EPSG:25833";
   EXPECT_EQ(error_of([&] { read_inventory(file); }).find("no error"), 0u)
       << "degrees are metres near (0, 0) there";
+  write_text(folder / "wide.csv", std::string("\xff\xfe"
+                                              "a\0,\0b\0",
+                                              8));
+  file = {};
+  file.file = folder / "wide.csv";
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("UTF-16"), std::string::npos)
+      << error_of([&] { read_inventory(file); });
+  write_text(folder / "areas.geojson",
+             R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
+      "geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}}]})");
+  file.file = folder / "areas.geojson";
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("whose geometry is no point"),
+            std::string::npos);
   // Metres where the format promises degrees, as some servers write them.
   write_text(folder / "m.geojson",
              R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},

@@ -94,6 +94,24 @@ TEST(LampTags, WhatCannotBeReadOrBelievedIsTold) {
   EXPECT_FALSE(read_lamp_tags({{"height", "600"}}).height_m);  // a lamp 600 m high
 }
 
+TEST(LampTags, ColoursAreThoseOfCss) {
+  const auto colour = [](const char* text) {
+    return read_lamp_tags({{"light:colour", text}}).colour.value_or(glm::vec3(0));
+  };
+  const glm::vec3 gold = rec709_from_rgb(0xFFD700).value();
+  for (const char* text : {"gold", "Gold", "#FFD700", "ffd700", "#ffd700ff", "rgb(255, 215, 0)",
+                           "gold;white", "rgba(255,215,0,0.5)"})
+    EXPECT_EQ(colour(text), gold) << text;
+  EXPECT_EQ(colour("light sky blue"), rec709_from_rgb(0x87CEFA).value());
+  EXPECT_EQ(colour("#fa0"), rec709_from_rgb(0xFFAA00).value());
+  // Words of lamps go first: their white is none of screens.
+  EXPECT_EQ(read_lamp_tags({{"light:colour", "white"}}).cct_k, 4000);
+  // The first of a list is taken.
+  EXPECT_FALSE(read_lamp_tags({{"light:colour", "red;white"}}).cct_k);
+  for (const char* text : {"black", "#ggg", "rgb(300,0,0)", "rgb(1,2", "0x00ff00", "#12345"})
+    EXPECT_EQ(read_lamp_tags({{"light:colour", text}}).unread.size(), 1u) << text;
+}
+
 TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
   const struct {
     osm::OsmTags tags;
@@ -107,7 +125,15 @@ TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
       {{{"end_date", "1990s"}}, "end_date past"},
       {{{"end_date", "9999"}}, ""},
       {{{"start_date", "9998-01-01"}}, "start_date ahead"},
+      {{{"start_date", "9998"}}, "start_date ahead"},
       {{{"start_date", "1998"}}, ""},
+      {{{"end_date", "before 2015"}}, "end_date past"},
+      {{{"end_date", "2010..2015"}}, "end_date past"},
+      {{{"demolished", "2019-05"}}, "disused or demolished"},
+      {{{"removed", "1"}}, "disused or demolished"},
+      {{{"construction", "9998"}}, ""},
+      {{{"disused", "no"}}, ""},
+      {{{"operational_status", "dismantled"}}, "broken"},
       {{{"location", "underground"}}, "underground"},
       {{{"level", "-1"}}, "underground"},
       {{{"level", "0"}}, ""},
@@ -126,12 +152,22 @@ TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
 
 TEST(LampState, ADateEndsWithItsLastDay) {
   using namespace std::chrono;
-  EXPECT_EQ(parse_last_day("2015-05-01"), Day(2015y / May / 1));
-  EXPECT_EQ(parse_last_day("2015-02"), Day(2015y / February / 28));
-  EXPECT_EQ(parse_last_day("~2015"), Day(2015y / December / 31));
-  EXPECT_EQ(parse_last_day("1980s"), Day(1989y / December / 31));
+  const auto expect = [](const char* text, Day first, Day last) {
+    const auto days = parse_days(text);
+    ASSERT_TRUE(days) << text;
+    EXPECT_EQ(days->first, first) << text;
+    EXPECT_EQ(days->last, last) << text;
+  };
+  expect("2015-05-01", 2015y / May / 1, 2015y / May / 1);
+  expect("2015-02", 2015y / February / 1, 2015y / February / 28);
+  expect("~2015", 2015y / January / 1, 2015y / December / 31);
+  expect("1980s", 1980y / January / 1, 1989y / December / 31);
+  expect("late 1980s", 1980y / January / 1, 1989y / December / 31);
+  expect("C19", 1800y / January / 1, 1899y / December / 31);
+  expect("2010..2015-03", 2010y / January / 1, 2015y / March / 31);
+  expect("before 1950", Day::min(), 1950y / January / 1);
   for (const char* text : {"", "soon", "2015-13", "2015-02-30", "2015-05-01x"})
-    EXPECT_FALSE(parse_last_day(text)) << text;
+    EXPECT_FALSE(parse_days(text)) << text;
 }
 
 TEST(LitTag, EveryValueIsLitDarkUnknownOrNotUnderstood) {

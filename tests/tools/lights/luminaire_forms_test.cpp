@@ -71,6 +71,8 @@ TEST_F(LuminaireForms, FileGenerationTypeOfLm63In2019IsNoFactor) {
   }
   EXPECT_NEAR(flux(ies("4 1 1", even, "0.5 1.10000 50", "TILT=NONE\n", "IES:LM-63-2019")),
               0.5 * hemisphere_lm, 1e-9);
+  EXPECT_NEAR(flux("\n \n" + ies("4 1 1", even, "1 1.1 50", "TILT=NONE\n", "ies:lm-63-2019")),
+              hemisphere_lm, 1e-9);
   EXPECT_NEAR(flux(ies("4 1 1", even, "0.9 0.95 50", "TILT=NONE\n", "IESNA:LM-63-1995")),
               0.9 * 0.95 * hemisphere_lm, 1e-9);
 }
@@ -81,6 +83,7 @@ TEST(Lm63Year, IsReadFromEverySpellingOfTheFirstLine) {
   EXPECT_EQ(find_lm63_year("IES:LM-63-19"), 2019);
   EXPECT_EQ(find_lm63_year("IESNA:LM-63-1995"), 1995);
   EXPECT_EQ(find_lm63_year("IESNA:LM-63-95"), 1995);
+  EXPECT_EQ(find_lm63_year("ies:lm-63-2019"), 2019);
   EXPECT_EQ(find_lm63_year("IESNA91"), 1991);
   EXPECT_EQ(find_lm63_year("IESNA:LM-63-"), 1986);
   EXPECT_EQ(find_lm63_year("A street lamp"), 1986);
@@ -237,6 +240,19 @@ TEST_F(LuminaireForms, ABeamOfTypeBDoesNotShineBackwards) {
   EXPECT_EQ(uplight_share(luminaire.photometry()), 0);  // "up" is behind it
 }
 
+TEST_F(LuminaireForms, ABeamThatEndsAtOnceKeepsItsFlux) {
+  // 1,000 cd over 20 degrees of azimuth and the band of 10 degrees above and below: a solid angle
+  // of 20 degrees times 2 sin 10.
+  const double expected = 1000 * (20 * pi / 180) * 2 * std::sin(10 * pi / 180);
+  for (const char* type : {"2", "3"}) {
+    const Luminaire luminaire =
+        read(ies(std::string("3 3 ") + type,
+                 "-10 0 10\n-10 0 10\n1000 1000 1000\n1000 1000 1000\n1000 1000 1000\n"));
+    EXPECT_NEAR(luminaire.flux_lm, expected, 0.005 * expected) << type;
+    EXPECT_NEAR(integrated_flux(luminaire.photometry()), expected, 0.005 * expected) << type;
+  }
+}
+
 TEST_F(LuminaireForms, ANarrowBeamOfTypeBKeepsItsPeakAndFlux) {
   // A beam of half a degree, in steps of a tenth: I = 10,000 (1 - |H|)(1 - |V|), angles in degrees.
   std::string angles, rows;
@@ -273,6 +289,32 @@ TEST_F(LuminaireForms, EulumdatCommasLineEndsAndRemainingNumbers) {
   EXPECT_NEAR(read(replaced(text, "\n", "\r"), "a.ldt").flux_lm, 201 * pi, 1e-6);
   EXPECT_NE(error_of(text + "\n100\n", "a.ldt").find("numbers remain after the last intensity"),
             std::string::npos);
+}
+
+TEST(LuminaireMarks, ContentTellsBothFormats) {
+  EXPECT_TRUE(begins_as_ies("TILT=NONE\n1 1000 1"));
+  EXPECT_TRUE(begins_as_ies("A lamp\r tilt = include\r"));
+  EXPECT_TRUE(begins_as_ies("\n\niesna:lm-63-2002\n"));
+  EXPECT_FALSE(begins_as_ies("it has no TILT=NONE\n"));
+  const std::string head = ldt("0\n90\n", 2, "100\n100\n");
+  EXPECT_TRUE(begins_as_eulumdat(head));
+  EXPECT_TRUE(begins_as_eulumdat(replaced(head, "\n", "\r\n")));
+  EXPECT_FALSE(begins_as_eulumdat("Maker\n3\n5\n1\n0\n2\n30\n"));
+  EXPECT_FALSE(begins_as_eulumdat("Maker\n3\n1\n"));
+  EXPECT_FALSE(begins_as_eulumdat("id,lon,lat\n1,2,3\n1\n1\n1\n2\n3\n"));
+}
+
+TEST_F(LuminaireForms, NamesInWindows1252AreReadAsUtf8) {
+  const Luminaire luminaire = read(replaced(ies("4 1 1", even), "Probe",
+                                            "Stra\xDF"
+                                            "enleuchte \x80"));
+  EXPECT_EQ(luminaire.name,
+            "Stra\xC3\x9F"
+            "enleuchte \xE2\x82\xAC");
+}
+
+TEST_F(LuminaireForms, AFileOfNeitherFormatIsToldSo) {
+  EXPECT_NE(error_of("hello\n").find("neither EULUMDAT nor IES"), std::string::npos);
 }
 
 }  // namespace

@@ -51,6 +51,13 @@ TEST(Obj, ACubeHasItsSurfaceWhateverFormItsFacesHave) {
   EXPECT_EQ(city.report.polygons, 7u);
 }
 
+TEST(Obj, TheOldSpellingOfAFaceIsRead) {
+  const City city =
+      read_obj_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nfo 1 2 3\n", with_up(city::MeshPlacement::Up::z));
+  ASSERT_EQ(city.objects.size(), 1u);
+  EXPECT_EQ(city.objects[0].polygons.size(), 1u);
+}
+
 TEST(Obj, UnitAxesAndPlaceComeFromTheOptions) {
   const std::string text = "o a\nv 100 200 -300\nv 200 200 -300\nv 200 200 -400\nf 1 2 3\no b\n";
   city::ReadOptions options = with_up(city::MeshPlacement::Up::y);

@@ -289,6 +289,18 @@ TEST_F(OsmFile, RemarksInPackedFilesAreReadToo) {
   }
 }
 
+TEST_F(OsmFile, APackedAnswerOfOverpassMayHoldPlacesInRelations) {
+  const auto path = write(
+      "<osm version=\"0.6\" generator=\"Overpass API\"><relation id=\"1\"><member type=\"way\" "
+      "ref=\"1\" role=\"outer\"><nd lat=\"1\" lon=\"2\"/></member></relation><node id=\"1\" "
+      "lat=\"48\" "
+      "lon=\"9\"><tag k=\"highway\" v=\"street_lamp\"/></node></osm>",
+      "answer.osm");
+  std::filesystem::remove(path.string() + ".gz");
+  if (std::system(("gzip -k " + path.string()).c_str()) != 0) GTEST_SKIP() << "gzip is absent";
+  EXPECT_EQ(read_osm(std::filesystem::path(path.string() + ".gz")).lamps.size(), 1u);
+}
+
 TEST_F(OsmFile, WhatIsNoExtractIsNamed) {
   using namespace std::string_literals;
   const struct {
@@ -306,9 +318,20 @@ TEST_F(OsmFile, WhatIsNoExtractIsNamed) {
       {"<!DOCTYPE html><html></html>", "web page"},
       {R"({"version": 0.6, "generator": "Overpass API", "osm3s": {}})", "[out:xml]"},
       {"@id\t@lat\t@lon\n", "CSV"},
+      {"<osm version='0.6'><action type='create'><node id='1' lat='1' lon='2'/></action></osm>",
+       "augmented diff"},
   };
   for (const auto& [content, said] : files)
     EXPECT_NE(error_of(write(content)).find(said), std::string::npos) << said;
+}
+
+TEST_F(OsmFile, XmlMayBeUtf16) {
+  const std::string text =
+      "<?xml version='1.0' encoding='UTF-16'?><osm version='0.6'><node id='1' lat='48' lon='9'>"
+      "<tag k='highway' v='street_lamp'/></node></osm>";
+  std::string wide = "\xff\xfe";
+  for (const char c : text) wide += {c, '\0'};
+  EXPECT_EQ(read_osm(write(wide)).lamps.size(), 1u);
 }
 
 TEST_F(OsmFile, EveryUnusableFileIsAnErrorThatNamesIt) {

@@ -1,7 +1,9 @@
 // `nightbake new` tells each file for what it is, and the recipe that it writes bakes.
 #include "tools/survey/survey.h"
 
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 
 #include <algorithm>
 
@@ -10,6 +12,7 @@
 #include "support/temp_folder.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tools/bake/bake.h"
+#include "tools/gdal/guarded_gdal.h"
 #include "tools/nightbake/sample_city.h"
 #include "tools/survey/new_recipe.h"
 #include "tools/survey/plan.h"
@@ -68,6 +71,86 @@ TEST(Survey, EachFileIsToldForWhatItIs) {
   EXPECT_EQ(inventory.inventory->columns.at("watts"), "WATTS");
   EXPECT_EQ(inventory.inventory->columns.size(), 2u);
   EXPECT_THROW(survey_files({folder / "none"}), Error);
+}
+
+TEST(Survey, OfSeveralLayersTheOneOfLampsIsTaken) {
+  const TempFolder folder;
+  gdal::register_drivers();
+  {
+    GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GPKG")->Create(
+        (folder / "city.gpkg").c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    ASSERT_TRUE(set);
+    OGRSpatialReference crs;
+    crs.importFromEPSG(25833);
+    for (const char* name : {"benches", "trees", "street_lights", "wells"}) {
+      OGRLayer* layer = set->CreateLayer(name, &crs, wkbPoint, nullptr);
+      OGRFieldDefn height("height", OFTReal);
+      layer->CreateField(&height);
+      OGRFeatureUniquePtr row(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+      OGRPoint point(391000, 5819000);
+      row->SetGeometry(&point);
+      ASSERT_EQ(layer->CreateFeature(row.get()), OGRERR_NONE);
+    }
+  }
+  const auto files = survey_files({folder / "city.gpkg"});
+  ASSERT_EQ(files.at(0).use, Use::inventory) << files[0].what;
+  EXPECT_EQ(files[0].inventory->layer, "street_lights");
+}
+
+TEST(Survey, PointsThatNothingCallsLampsAreNone) {
+  const TempFolder folder;
+  const std::string point =
+      "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{"
+      "\"height\":9},"
+      "\"geometry\":{\"type\":\"Point\",\"coordinates\":[13.394231,52.510439]}}]}";
+  write_text(folder / "trees.geojson", point);
+  write_text(folder /
+                 "Stra\xC3\x9F"
+                 "enlaternen.geojson",
+             point);
+  const auto files = survey_files({folder.path()});
+  EXPECT_EQ(find(files, "trees.geojson").use, Use::nothing);
+  EXPECT_NE(find(files, "trees.geojson").what.find("speaks of lamps"), std::string::npos);
+  EXPECT_EQ(find(files,
+                 "Stra\xC3\x9F"
+                 "enlaternen.geojson")
+                .use,
+            Use::inventory);
+}
+
+TEST(Survey, LuminairesAreRead) {
+  const TempFolder folder;
+  write_text(folder / "a.ies", "TILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 50\n0 90\n0\n100 100\n");
+  write_text(folder / "b.ies", "hello\n");
+  const auto files = survey_files({folder.path()});
+  EXPECT_EQ(find(files, "a.ies").use, Use::luminaire);
+  EXPECT_NE(find(files, "a.ies").what.find("628 lm"), std::string::npos);
+  EXPECT_EQ(find(files, "b.ies").use, Use::nothing);
+}
+
+TEST(Survey, ATableThatCannotBePlacedIsToldForThat) {
+  const TempFolder folder;
+  write_text(
+      folder / "lamps.geojson",
+      "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{},"
+      "\"geometry\":{\"type\":\"Point\",\"coordinates\":[391000,5819000]}}]}");
+  const auto files = survey_files({folder / "lamps.geojson"});
+  EXPECT_EQ(files.at(0).use, Use::nothing);
+  EXPECT_NE(files[0].what.find("say the CRS"), std::string::npos) << files[0].what;
+}
+
+TEST(Survey, ABoxMayLieAcrossTheAntimeridian) {
+  Box fiji;
+  fiji.add({179.9, -17});
+  fiji.add({-179.8, -16});
+  EXPECT_NEAR(fiji.greatest.x - fiji.least.x, 0.3, 1e-9);
+  Box east;
+  east.add({-179.7, -16.5});
+  EXPECT_TRUE(fiji.is_near(east, 0.2));
+  EXPECT_TRUE(east.is_near(fiji, 0.2));
+  Box greenwich;
+  greenwich.add({0, -16.5});
+  EXPECT_FALSE(fiji.is_near(greenwich, 0.2));
 }
 
 TEST(Survey, TheRecipeBakesWithEveryFileInIt) {

@@ -115,14 +115,60 @@ TEST(ElevationModel, HeightsInFeetBecomeMetres) {
     const char *unit, *crs;
     double metres;
   };
-  for (const Case& c : {Case{"ft", "", 0.3048}, Case{"US survey foot", "", 1200.0 / 3937},
-                        Case{"", "EPSG:25832+6360", 1200.0 / 3937}, Case{"metre", "", 1}}) {
+  for (const Case& c :
+       {Case{"ft", "", 0.3048}, Case{"US survey foot", "", 1200.0 / 3937},
+        Case{"", "EPSG:25832+6360", 1200.0 / 3937}, Case{"metre", "", 1}, Case{"[m]", "", 1},
+        Case{"meters above sea level", "", 1}, Case{"foot_survey", "", 1200.0 / 3937},
+        Case{"Decimeters", "", 0.1}, Case{"", "EPSG:25832+5715", -1}}) {
     write(c.unit, c.crs);
     EXPECT_NEAR(sample(ElevationModel(folder / "feet.tif"), {place})[0], value * c.metres, 1e-6)
         << c.unit << c.crs;
   }
   write("parsec", "");
   EXPECT_THROW(ElevationModel(folder / "feet.tif"), Error);
+}
+
+TEST(ElevationModel, NumbersThatStandForNoHeightAreHolesUndeclaredToo) {
+  const TempFolder folder;
+  const auto hole = [](int i, int) { return i == 20; };
+  const glm::dvec2 in_hole(205, -50), beside(105, -50);
+  const auto write = [&](const char* unit, double stored) {
+    write_raster(folder / "undeclared.tif", {0, 0, 10, 40, 30, 0}, hole);
+    GDALDatasetUniquePtr set = reopen(folder / "undeclared.tif");
+    GDALRasterBand& band = *set->GetRasterBand(1);
+    band.DeleteNoDataValue();
+    if (*unit) band.SetUnitType(unit);
+    for (int j = 0; j < 30; ++j)
+      ASSERT_EQ(band.RasterIO(GF_Write, 20, j, 1, 1, &stored, 1, 1, GDT_Float64, 0, 0), CE_None);
+  };
+  const auto is_hole = [&](const char* unit, double stored) {
+    write(unit, stored);
+    const auto heights = sample(ElevationModel(folder / "undeclared.tif"), {in_hole, beside});
+    EXPECT_FALSE(std::isnan(heights[1]));
+    return std::isnan(heights[0]);
+  };
+  for (const double stored : {-9999.0, -9999.9, -999.0, -32768.0, -3.4e38, 9999.0, 1e20})
+    EXPECT_TRUE(is_hole("", stored)) << stored;
+  EXPECT_TRUE(is_hole("ft", -9999));
+  EXPECT_FALSE(is_hole("cm", -9999)) << "99.99 m below the sea";
+  EXPECT_FALSE(is_hole("", -420)) << "the Dead Sea";
+  EXPECT_FALSE(is_hole("", -5000)) << "the ground of a sea";
+}
+
+TEST(ElevationModel, AFileOfAnotherKindIsNamed) {
+  const TempFolder folder;
+  const auto reason = [&](const std::string& text) {
+    test::write_text(folder / "dem.tif", text);
+    try {
+      ElevationModel model(folder / "dem.tif");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(reason("\x1f\x8b rest").find("gunzip"), std::string::npos);
+  EXPECT_NE(reason("PK\x03\x04 rest").find("zip archive: unpack it"), std::string::npos);
+  EXPECT_NE(reason("hello").find("none of the formats"), std::string::npos) << reason("hello");
 }
 
 TEST(ElevationModel, MasksAndAlphaBandsAreHoles) {

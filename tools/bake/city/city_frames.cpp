@@ -172,6 +172,11 @@ std::optional<std::string> CityFrames::srs_name_of(std::size_t file) const {
   return names_.empty() ? std::nullopt : std::optional(names_.at(file));
 }
 
+double CityFrames::height_unit_of(std::size_t file) const {
+  const Foreign* foreign = foreign_of_file_.at(file);
+  return foreign ? foreign->frame.height_unit_m() : city_->height_unit_m();
+}
+
 bool CityFrames::knows(const std::string& srs_name) const {
   const std::shared_lock lock(mutex_);
   return srs_name == first_name_ || find_foreign(srs_name);
@@ -185,22 +190,25 @@ void CityFrames::learn(const std::string& srs_name, std::span<const glm::dvec3> 
   foreign_.push_back(std::move(foreign));
 }
 
-void CityFrames::to_city(std::size_t file, std::span<glm::dvec3> coordinates) const {
-  to_city(foreign_of_file_.at(file), coordinates);
+void CityFrames::to_city(std::size_t file, std::span<glm::dvec3> coordinates,
+                         const std::optional<glm::dvec3>& anchor) const {
+  to_city(foreign_of_file_.at(file), coordinates, anchor);
 }
 
-void CityFrames::to_city(const std::string& srs_name, std::span<glm::dvec3> coordinates) const {
+void CityFrames::to_city(const std::string& srs_name, std::span<glm::dvec3> coordinates,
+                         const std::optional<glm::dvec3>& anchor) const {
   const Foreign* foreign = nullptr;
   {
     const std::shared_lock lock(mutex_);
     foreign = find_foreign(srs_name);
   }
-  to_city(foreign, coordinates);
+  to_city(foreign, coordinates, anchor);
 }
 
-void CityFrames::to_city(const Foreign* foreign, std::span<glm::dvec3> coordinates) const {
-  if (!foreign) return city_->to_projected(coordinates);
-  foreign->frame.to_projected(coordinates);
+void CityFrames::to_city(const Foreign* foreign, std::span<glm::dvec3> coordinates,
+                         const std::optional<glm::dvec3>& anchor) const {
+  if (!foreign) return city_->to_projected(coordinates, anchor);
+  foreign->frame.to_projected(coordinates, anchor);
   if (foreign->same_crs) return;
   for (glm::dvec3& p : coordinates)
     p = glm::dvec3(city_->from_lon_lat(foreign->frame.to_lon_lat(glm::dvec2(p))), p.z);

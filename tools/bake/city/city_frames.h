@@ -30,10 +30,14 @@ class CityFrames {
   const georeference::CityFrame& city() const { return *city_; }
   /// Turns coordinates as they are in the input file of that number into E, N, H of the city, in
   /// place. Those of another CRS go through longitude and latitude; their heights stay.
-  void to_city(std::size_t file, std::span<glm::dvec3> coordinates) const;
+  /// `anchor`: as in CityFrame::to_projected.
+  void to_city(std::size_t file, std::span<glm::dvec3> coordinates,
+               const std::optional<glm::dvec3>& anchor = {}) const;
   /// Returns the name by which the file of that number is placed, for ReadOptions::srs_name; none
   /// where a recipe's CRS or control points hold for all of it.
   std::optional<std::string> srs_name_of(std::size_t file) const;
+  /// Returns the metres in the unit that the heights of that file have.
+  double height_unit_of(std::size_t file) const;
   /// Returns whether a name that only some of a file's geometry has is known already.
   bool knows(const std::string& srs_name) const;
   /// Learns such a name from some coordinates of the geometry. `where` names file and object.
@@ -42,7 +46,8 @@ class CityFrames {
   void learn(const std::string& srs_name, std::span<const glm::dvec3> sample,
              const std::string& where);
   /// As to_city above, for geometry of a name that is known.
-  void to_city(const std::string& srs_name, std::span<glm::dvec3> coordinates) const;
+  void to_city(const std::string& srs_name, std::span<glm::dvec3> coordinates,
+               const std::optional<glm::dvec3>& anchor = {}) const;
   /// Returns a place in the middle of the first file's beginning: E, N, H, each the median.
   const glm::dvec3& reference() const { return reference_; }
   /// Sets the reference's height, where the files have none of their own; NaN changes nothing.
@@ -67,7 +72,8 @@ class CityFrames {
   const Foreign* find_foreign(const std::string& srs_name) const;
   Foreign make_foreign(const std::string& srs_name, std::span<const glm::dvec3> sample,
                        const std::string& where, const georeference::CityFrame::Options& options);
-  void to_city(const Foreign* foreign, std::span<glm::dvec3> coordinates) const;
+  void to_city(const Foreign* foreign, std::span<glm::dvec3> coordinates,
+               const std::optional<glm::dvec3>& anchor) const;
 
   /// A deque, because a frame stays in use while others are learnt.
   std::deque<Foreign> foreign_;

@@ -29,6 +29,7 @@ city::ReadReport read_ready_objects(const CityInputs& inputs, const ReadySetting
                                     const ReadyStage& stage) {
   city::ReadOptions options = given;
   options.srs_name = settings.frames.srs_name_of(file);
+  options.height_unit_m = settings.frames.height_unit_of(file);
   return inputs::read_city_staged(
       inputs.files[file], options,
       [&](std::vector<city::CityObject>&& read) -> std::function<void()> {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,21 +30,39 @@ std::uint64_t make_identity(const city::CityObject& object) {
 }
 
 void to_city_frame(const std::string* srs_name, std::size_t file, const CityFrames& frames,
-                   std::span<glm::dvec3> coordinates) {
+                   std::span<glm::dvec3> coordinates,
+                   const std::optional<glm::dvec3>& anchor = {}) {
   if (srs_name)
-    frames.to_city(*srs_name, coordinates);
+    frames.to_city(*srs_name, coordinates, anchor);
   else
-    frames.to_city(file, coordinates);
+    frames.to_city(file, coordinates, anchor);
+}
+
+// Returns the reference point of the shape whose place `point` is; none where no shape has one.
+std::optional<glm::dvec3> find_anchor(const city::CityObject& object, const glm::dvec3& point) {
+  std::optional<glm::dvec3> nearest;
+  for (const city::Polygon& polygon : object.polygons)
+    if (polygon.anchor &&
+        (!nearest || glm::distance(*polygon.anchor, point) < glm::distance(*nearest, point)))
+      nearest = polygon.anchor;
+  return nearest;
 }
 
 void to_city_frame(city::CityObject& object, std::size_t file, const CityFrames& frames) {
   for (city::Polygon& polygon : object.polygons) {
     const std::string* name = polygon.srs_name.get();
-    to_city_frame(name, file, frames, polygon.exterior);
-    for (city::Ring& ring : polygon.interiors) to_city_frame(name, file, frames, ring);
+    to_city_frame(name, file, frames, polygon.exterior, polygon.anchor);
+    for (city::Ring& ring : polygon.interiors)
+      to_city_frame(name, file, frames, ring, polygon.anchor);
   }
   const std::string* name = object.points_srs_name.get();
-  to_city_frame(name, file, frames, object.points);
+  // A tree has a place for each of its levels of detail.
+  constexpr std::size_t most_places = 16;
+  if (object.plant && object.points.size() <= most_places)
+    for (glm::dvec3& point : object.points)
+      to_city_frame(name, file, frames, std::span(&point, 1), find_anchor(object, point));
+  else
+    to_city_frame(name, file, frames, object.points);
   for (city::Ring& line : object.lines) to_city_frame(name, file, frames, line);
 }
 
