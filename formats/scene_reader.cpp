@@ -18,6 +18,7 @@
 #include "formats/scene_places_json.h"
 #include "formats/scene_primitive_reader.h"
 #include "formats/skipped_content.h"
+#include "formats/stored_hierarchy_reader.h"
 #include "formats/vertex_colours.h"
 
 namespace nightcity {
@@ -50,9 +51,11 @@ class Reader {
     read_features();
     read_materials();
     scene_.nodes = NodeReader(document_, accessors_, tables_).read();
+    hierarchies_ = read_hierarchies(document_, accessors_, hierarchy_sentences_);
   }
 
   const Scene& scene() const { return scene_; }
+  const std::vector<StoredHierarchy>& hierarchies() const { return hierarchies_; }
   SceneMesh read_mesh(std::size_t index, MappedMesh* mapped);
   std::size_t count_triangles(std::size_t index) const;
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t index) const;
@@ -67,7 +70,8 @@ class Reader {
       scene_.skipped.push_back(std::to_string(count) +
                                (count == 1 ? " primitive has" : " primitives have") +
                                " a texture and no texture coordinates: the mean colour is shown");
-    for (auto* sentences : {&material_sentences_, &colour_sentences_, &place_sentences_})
+    for (auto* sentences :
+         {&material_sentences_, &colour_sentences_, &place_sentences_, &hierarchy_sentences_})
       scene_.skipped.insert(scene_.skipped.end(), sentences->begin(), sentences->end());
   }
   Scene finish() {
@@ -86,6 +90,7 @@ class Reader {
   MaterialReader materials_;
   PrimitiveReader primitives_;
   Scene scene_;
+  std::vector<StoredHierarchy> hierarchies_;
   std::vector<FeatureRange> tables_;
   // The file's materials come first, then glTF's default one, then those of vertices' colours.
   std::size_t material_count_ = 0;  // of the file
@@ -93,7 +98,8 @@ class Reader {
   std::atomic<bool> uses_default_ = false;
   std::atomic<std::size_t> untextured_ = 0;  // primitives without the coordinates for their texture
   bool complete_ = false;
-  std::vector<std::string> material_sentences_, colour_sentences_, place_sentences_;
+  std::vector<std::string> material_sentences_, colour_sentences_, place_sentences_,
+      hierarchy_sentences_;
 };
 
 void Reader::read_features() {
@@ -260,6 +266,9 @@ SceneFile::~SceneFile() = default;
 
 const Scene& SceneFile::scene() const {
   return reading_->reader.scene();
+}
+const std::vector<StoredHierarchy>& SceneFile::hierarchies() const {
+  return reading_->reader.hierarchies();
 }
 std::size_t SceneFile::mesh_count() const {
   return reading_->document.count("meshes");

@@ -7,10 +7,12 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "formats/mapped_primitive.h"
 #include "formats/scene.h"
 #include "formats/scene_bytes.h"
+#include "formats/stored_hierarchy.h"
 
 namespace nightcity {
 
@@ -26,6 +28,8 @@ class SceneFile {
   /// after close() or finish() only.
   const Scene& scene() const;
   std::size_t mesh_count() const;
+  /// Returns the hierarchies that the file holds of static triangles. Their arrays lie in it.
+  const std::vector<StoredHierarchy>& hierarchies() const;
   /// Returns the triangles that a mesh has by its accessors, which hold no promise: a bound for
   /// what to reserve. It is never above the bytes of the file.
   std::size_t count_triangles(std::size_t mesh) const;

@@ -1,12 +1,10 @@
 #include "runtime/scene/mesh_triangles.h"
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <mutex>
 #include <optional>
 
-#include "formats/finite.h"
+#include "formats/hierarchy/static_geometry.h"
 #include "formats/parallel.h"
 #include "runtime/scene/bvh.h"
 #include "runtime/scene/parts.h"
@@ -36,7 +34,7 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
   std::size_t dropped = 0;
   positions.clear();
   for (const glm::vec3& p : primitive.positions)
-    positions.emplace_back(placement.to_scene * glm::dvec4(p, 1.0));
+    positions.push_back(hierarchy::place(placement.to_scene, p));
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1],
                         c = primitive.indices[i + 2];
@@ -44,9 +42,7 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
     t.v0 = positions[a];
     t.v1 = positions[b];
     t.v2 = positions[c];
-    const glm::vec3 normal = glm::cross(t.v1 - t.v0, t.v2 - t.v0);
-    if (!(glm::dot(normal, normal) > 0) || !is_within_reach(t.v0) || !is_within_reach(t.v1) ||
-        !is_within_reach(t.v2)) {
+    if (!hierarchy::is_shown(t.v0, t.v1, t.v2)) {
       ++dropped;
       continue;
     }

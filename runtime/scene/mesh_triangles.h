@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/scene.h"
+#include "formats/stored_hierarchy.h"
 #include "runtime/scene/render_scene.h"
 #include "runtime/scene/triangle_list.h"
 
@@ -25,6 +26,7 @@ struct MeshSource {
   bool in_parallel = false;            // `read` may be called by several threads at the same time
   std::vector<std::size_t> triangles;  // of each mesh, as far as is known before it is read
   std::vector<Box> bounds;             // the same of their boxes, in the meshes' own frames
+  std::vector<StoredHierarchy> hierarchies{};  // those that a file holds of static triangles
 };
 
 /// Returns the meshes that `scene` holds, which must outlive the result.

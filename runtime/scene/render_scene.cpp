@@ -143,6 +143,8 @@ std::string spacing_at(double coordinate) {
 
 std::vector<std::string> describe_left_out(const RenderScene& scene) {
   std::vector<std::string> sentences = scene.skipped;
+  sentences.insert(sentences.end(), scene.unused_hierarchies.begin(),
+                   scene.unused_hierarchies.end());
   const auto say = [&](std::size_t count, const char* one, const char* many, const char* rest) {
     if (count != 0) sentences.push_back(std::to_string(count) + (count == 1 ? one : many) + rest);
   };
@@ -242,6 +244,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
     ::malloc_trim(0);
   };
   meshes.in_parallel = file.reads_in_parallel();
+  meshes.hierarchies = file.hierarchies();
   for (std::size_t i = 0; i < file.mesh_count(); ++i) {
     meshes.triangles.push_back(file.count_triangles(i));
     Box& bounds = meshes.bounds.emplace_back();

@@ -4,27 +4,42 @@
 
 namespace nightcity::scene {
 
-void TriangleList::copy(std::size_t first, std::span<gpu::Triangle> to) const {
+void TriangleList::copy_corners(std::size_t first, std::span<hierarchy::Corners> to) const {
   if (to.empty()) return;
   if (blocks_.empty()) {
-    std::copy_n(stored_.begin() + static_cast<std::ptrdiff_t>(first), to.size(), to.begin());
+    std::transform(stored_.begin() + static_cast<std::ptrdiff_t>(first),
+                   stored_.begin() + static_cast<std::ptrdiff_t>(first + to.size()), to.begin(),
+                   corners_of);
     return;
   }
   std::size_t number = block_at_[first / indexed], done = 0;
   while (done < to.size()) {
     const Block& block = blocks_[number++];
     for (std::size_t i = first + done; i < block.end && done < to.size(); ++i)
-      to[done++] =
-          block.is_mapped ? block.make(i - block.first) : stored_[block.stored + i - block.first];
+      to[done++] = block.is_mapped ? block.corners(i - block.first)
+                                   : corners_of(stored_[block.stored + i - block.first]);
+  }
+}
+
+void TriangleList::measure(std::span<const std::uint32_t> numbers,
+                           std::span<hierarchy::Bounds> to) const {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (blocks_.empty()) {
+      to[i] = corners_of(stored_[numbers[i]]).bounds();
+      continue;
+    }
+    const Block& block = block_of(numbers[i]);
+    to[i] = (block.is_mapped ? block.corners(numbers[i] - block.first)
+                             : corners_of(stored_[block.stored + numbers[i] - block.first]))
+                .bounds();
   }
 }
 
 gpu::TextureCorners TriangleList::texture_corners(std::size_t i) const {
   if (!blocks_.empty()) {
-    std::size_t block = block_at_[i / indexed];
-    while (i >= blocks_[block].end) ++block;
-    if (blocks_[block].is_mapped) return without_texture;
-    i = blocks_[block].stored + i - blocks_[block].first;
+    const Block& block = block_of(i);
+    if (block.is_mapped) return without_texture;
+    i = block.stored + i - block.first;
   }
   return i < corners_.size() ? corners_[i] : without_texture;
 }

@@ -16,9 +16,10 @@
 #include <utility>
 #include <vector>
 
+#include "formats/hierarchy/triangle_pieces.h"
+#include "formats/large_vector.h"
 #include "formats/mapped_primitive.h"
 #include "formats/scene_bytes.h"
-#include "runtime/scene/large_vector.h"
 #include "shaders/bvh_types.h"
 #include "shaders/scene_types.h"
 
@@ -37,19 +38,19 @@ class TriangleList {
   /// `i` < size().
   gpu::Triangle operator[](std::size_t i) const {
     if (blocks_.empty()) return stored_[i];
-    std::size_t block = block_at_[i / indexed];
-    while (i >= blocks_[block].end) ++block;
-    const Block& at = blocks_[block];
+    const Block& at = block_of(i);
     return at.is_mapped ? at.make(i - at.first) : stored_[at.stored + i - at.first];
   }
   Iterator begin() const;
   Iterator end() const;
+  /// Measures the boxes of these triangles, of which `to` has as many.
+  void measure(std::span<const std::uint32_t> numbers, std::span<hierarchy::Bounds> to) const;
   /// Returns whether some triangle has texture coordinates.
   bool has_texture_corners() const { return !corners_.empty(); }
   /// Returns the texture coordinates of a triangle, without_texture where it has none.
   gpu::TextureCorners texture_corners(std::size_t i) const;
-  /// Copies the triangles from `first` on.
-  void copy(std::size_t first, std::span<gpu::Triangle> to) const;
+  /// Copies the corners of the triangles from `first` on.
+  void copy_corners(std::size_t first, std::span<hierarchy::Corners> to) const;
 
   /// Makes room for so many triangles that are stored. Room that is not used takes no memory.
   void reserve(std::size_t count) { stored_.reserve(count); }
@@ -80,6 +81,9 @@ class TriangleList {
   }
 
  private:
+  static hierarchy::Corners corners_of(const gpu::Triangle& t) {
+    return {hierarchy::to_float4(t.v0), hierarchy::to_float4(t.v1), hierarchy::to_float4(t.v2)};
+  }
   // Consecutive triangles, from `first` to before `end`.
   struct Block {
     std::size_t first, end;
@@ -96,6 +100,11 @@ class TriangleList {
       return {place(first),          mapped.material,   place(corners[1]),
               mapped.feature(first), place(corners[2]), mapped.light(first)};
     }
+    hierarchy::Corners corners(std::size_t i) const {
+      const std::array<std::uint32_t, 3> at = mapped.corners(i);
+      return {hierarchy::to_float4(place(at[0])), hierarchy::to_float4(place(at[1])),
+              hierarchy::to_float4(place(at[2]))};
+    }
     glm::vec3 place(std::uint32_t vertex) const {
       const glm::dvec3 p(mapped.position(vertex));
       return is_moved ? glm::vec3(p + glm::dvec3(to_scene[3]))
@@ -103,6 +112,13 @@ class TriangleList {
     }
   };
   static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_
+
+  // There must be blocks.
+  const Block& block_of(std::size_t i) const {
+    std::size_t block = block_at_[i / indexed];
+    while (i >= blocks_[block].end) ++block;
+    return blocks_[block];
+  }
 
   LargeVector<gpu::Triangle> stored_;
   LargeVector<gpu::TextureCorners> corners_;  // of the first of these; the others have none
