@@ -57,6 +57,7 @@ class Reader {
   const Scene& scene() const { return scene_; }
   const std::vector<StoredHierarchy>& hierarchies() const { return hierarchies_; }
   SceneMesh read_mesh(std::size_t index, MappedMesh* mapped);
+  std::optional<MappedMesh> map_mesh(std::size_t index);
   std::size_t count_triangles(std::size_t index) const;
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t index) const;
   bool has_colours() const;
@@ -173,6 +174,18 @@ SceneMesh Reader::read_mesh(std::size_t index, MappedMesh* mapped) {
   return mesh;
 }
 
+std::optional<MappedMesh> Reader::map_mesh(std::size_t index) {
+  MappedMesh mesh;
+  for (const Json& source : member(document_.element("meshes", index), "primitives")) {
+    auto primitive = primitives_.find(source, tables_);
+    if (!primitive || !is_fit(*primitive)) return std::nullopt;
+    primitive->material = find_material(source);
+    if (scene_.materials[primitive->material].texture) return std::nullopt;
+    mesh.push_back(primitive);
+  }
+  return mesh;
+}
+
 std::size_t Reader::count_triangles(std::size_t index) const {
   std::size_t count = 0;
   const Json& primitives = member(document_.element("meshes", index), "primitives");
@@ -244,6 +257,14 @@ std::size_t count_bytes(const SceneMesh& mesh) {
   return bytes;
 }
 
+std::size_t count_bytes(const MappedMesh& mesh) {
+  std::size_t bytes = 0;
+  for (const auto& primitive : mesh)
+    bytes += primitive->vertices * (sizeof(glm::vec3) + 8) +
+             3 * primitive->triangles * primitive->index_bytes;
+  return bytes;
+}
+
 }  // namespace
 
 struct SceneFile::Reading {
@@ -252,6 +273,12 @@ struct SceneFile::Reading {
   Reader reader{document};
   std::atomic<std::size_t> resident = 0;
   bool in_parallel = false;
+
+  void release_pages_after(std::size_t bytes) {
+    if ((resident += bytes) <= max_resident) return;
+    resident = 0;
+    document.release_pages();
+  }
 };
 
 SceneFile::SceneFile(const std::filesystem::path& path)
@@ -288,11 +315,18 @@ std::optional<std::array<glm::vec3, 2>> SceneFile::find_bounds(std::size_t mesh)
 SceneMesh SceneFile::read_mesh(std::size_t index, MappedMesh* mapped) {
   SceneMesh mesh =
       with_name(reading_->path, [&] { return reading_->reader.read_mesh(index, mapped); });
-  if ((reading_->resident += count_bytes(mesh)) > max_resident) {
-    reading_->resident = 0;
-    reading_->document.release_pages();
-  }
+  reading_->release_pages_after(count_bytes(mesh));
   return mesh;
+}
+
+std::optional<MappedMesh> SceneFile::map_mesh(std::size_t index) {
+  try {
+    auto mesh = reading_->reader.map_mesh(index);
+    if (mesh) reading_->release_pages_after(count_bytes(*mesh));
+    return mesh;
+  } catch (const std::exception&) {
+    return std::nullopt;  // read_mesh says why
+  }
 }
 
 std::shared_ptr<const SceneBytes> SceneFile::close() {

@@ -74,15 +74,45 @@ struct Converted {
   }
 };
 
+// Returns whether all triangles of a primitive are shown.
+bool shows_all(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
+               std::vector<glm::vec3>& positions) {
+  positions.resize(primitive.vertices);
+  for (std::uint32_t i = 0; i < primitive.vertices; ++i)
+    positions[i] = hierarchy::place(to_scene, primitive.position(i));
+  for (std::size_t i = 0; i < primitive.triangles; ++i) {
+    const auto [a, b, c] = primitive.corners(i);
+    if (!hierarchy::is_shown(positions[a], positions[b], positions[c])) return false;
+  }
+  return true;
+}
+
+// Returns a mesh that is read in place as a whole.
+std::optional<Converted> map_mesh(const MeshSource& meshes, std::uint32_t mesh,
+                                  const glm::dmat4& to_scene) {
+  if (!meshes.map) return std::nullopt;
+  auto mapped = meshes.map(mesh);
+  if (!mapped) return std::nullopt;
+  std::vector<glm::vec3> positions;
+  for (const auto& primitive : *mapped)
+    if (!shows_all(*primitive, to_scene, positions)) return std::nullopt;
+  Converted result;
+  result.mapped = std::move(*mapped);
+  return result;
+}
+
 Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
                        std::span<const std::uint32_t> light_numbers) {
+  const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1 &&
+                             placed.placements[0].names_nothing();
+  if (may_be_mapped)
+    if (auto mapped = map_mesh(meshes, placed.mesh, placed.placements[0].to_scene))
+      return std::move(*mapped);
   Converted result;
   const auto mesh = meshes.read(placed.mesh, &result.mapped);
   result.mapped.resize(mesh->primitives.size());
   result.stored.resize(mesh->primitives.size());
   result.corners.resize(mesh->primitives.size());
-  const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1 &&
-                             placed.placements[0].names_nothing();
   std::vector<glm::vec3> positions;
   for (std::size_t i = 0; i < mesh->primitives.size(); ++i) {
     const ScenePrimitive& primitive = mesh->primitives[i];

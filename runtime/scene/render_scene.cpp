@@ -238,6 +238,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   meshes.read = [&file](std::uint32_t mesh, MappedMesh* mapped) {
     return std::make_shared<const SceneMesh>(file.read_mesh(mesh, mapped));
   };
+  meshes.map = [&file](std::uint32_t mesh) { return file.map_mesh(mesh); };
   meshes.close = [&] {
     out.triangles.keep(file.close());
     // The JSON was a million small pieces, which the C library would keep for others.

@@ -21,18 +21,72 @@ void TriangleList::copy_corners(std::size_t first, std::span<hierarchy::Corners>
   }
 }
 
+// Calls use(i, triangle) for each of these triangles, in their order: `stored` with a triangle, or
+// `mapped` with its block and vertices. They lie anywhere in the file, so the memory of some is
+// asked for before the first of them is used; `fetch` asks for more of a block's vertex.
+template <class Fetch, class Stored, class Mapped>
+void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, Stored stored,
+                         Mapped mapped) const {
+  constexpr std::size_t at_once = 32;
+  struct Found {
+    const Block* block;  // null: it is stored
+    std::array<std::uint32_t, 3> corners;
+    std::size_t place;
+  };
+  std::array<Found, at_once> found;
+  const Block* block = nullptr;
+  for (std::size_t begin = 0; begin < numbers.size(); begin += at_once) {
+    const std::size_t count = std::min(at_once, numbers.size() - begin);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t number = numbers[begin + k];
+      Found& f = found[k];
+      f.block = nullptr;
+      f.place = number;
+      if (!blocks_.empty()) {
+        if (!block || number < block->first || number >= block->end) block = &block_of(number);
+        f.place = block->stored + number - block->first;
+        if (block->is_mapped) f.block = block;
+      }
+      if (!f.block) {
+        __builtin_prefetch(&stored_[f.place]);
+        continue;
+      }
+      f.corners = block->mapped.corners(number - block->first);
+      for (const std::uint32_t corner : f.corners)
+        __builtin_prefetch(block->mapped.positions.first + corner * block->mapped.positions.stride);
+      fetch(block->mapped, f.corners[0]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (found[k].block)
+        mapped(begin + k, *found[k].block, found[k].corners);
+      else
+        stored(begin + k, stored_[found[k].place]);
+    }
+  }
+}
+
 void TriangleList::measure(std::span<const std::uint32_t> numbers,
                            std::span<hierarchy::Bounds> to) const {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (blocks_.empty()) {
-      to[i] = corners_of(stored_[numbers[i]]).bounds();
-      continue;
-    }
-    const Block& block = block_of(numbers[i]);
-    to[i] = (block.is_mapped ? block.corners(numbers[i] - block.first)
-                             : corners_of(stored_[block.stored + numbers[i] - block.first]))
-                .bounds();
-  }
+  visit(
+      numbers, [](const MappedPrimitive&, std::uint32_t) {},
+      [&](std::size_t i, const gpu::Triangle& triangle) { to[i] = corners_of(triangle).bounds(); },
+      [&](std::size_t i, const Block& block, const std::array<std::uint32_t, 3>& corners) {
+        to[i] = block.corners(corners).bounds();
+      });
+}
+
+void TriangleList::gather(std::span<const std::uint32_t> numbers,
+                          std::span<gpu::Triangle> to) const {
+  visit(
+      numbers,
+      [](const MappedPrimitive& primitive, std::uint32_t vertex) {
+        for (const MappedPrimitive::Array& ids : {primitive.features, primitive.lights})
+          if (ids.first) __builtin_prefetch(ids.first + vertex * ids.stride);
+      },
+      [&](std::size_t i, const gpu::Triangle& triangle) { to[i] = triangle; },
+      [&](std::size_t i, const Block& block, const std::array<std::uint32_t, 3>& corners) {
+        to[i] = block.make(corners);
+      });
 }
 
 gpu::TextureCorners TriangleList::texture_corners(std::size_t i) const {

@@ -45,6 +45,9 @@ class TriangleList {
   Iterator end() const;
   /// Measures the boxes of these triangles, of which `to` has as many.
   void measure(std::span<const std::uint32_t> numbers, std::span<hierarchy::Bounds> to) const;
+  /// Copies these triangles, of which `to` has as many. It is faster than one by one, where they lie
+  /// anywhere.
+  void gather(std::span<const std::uint32_t> numbers, std::span<gpu::Triangle> to) const;
   /// Returns whether some triangle has texture coordinates.
   bool has_texture_corners() const { return !corners_.empty(); }
   /// Returns the texture coordinates of a triangle, without_texture where it has none.
@@ -94,14 +97,14 @@ class TriangleList {
     glm::dmat4 to_scene;
 
     // Returns triangle `i` of a mapped block.
-    gpu::Triangle make(std::size_t i) const {
-      const std::array<std::uint32_t, 3> corners = mapped.corners(i);
-      const std::uint32_t first = corners[0];
-      return {place(first),          mapped.material,   place(corners[1]),
-              mapped.feature(first), place(corners[2]), mapped.light(first)};
+    gpu::Triangle make(std::size_t i) const { return make(mapped.corners(i)); }
+    hierarchy::Corners corners(std::size_t i) const { return corners(mapped.corners(i)); }
+    // The same by its vertices.
+    gpu::Triangle make(const std::array<std::uint32_t, 3>& at) const {
+      return {place(at[0]),          mapped.material, place(at[1]),
+              mapped.feature(at[0]), place(at[2]),    mapped.light(at[0])};
     }
-    hierarchy::Corners corners(std::size_t i) const {
-      const std::array<std::uint32_t, 3> at = mapped.corners(i);
+    hierarchy::Corners corners(const std::array<std::uint32_t, 3>& at) const {
       return {hierarchy::to_float4(place(at[0])), hierarchy::to_float4(place(at[1])),
               hierarchy::to_float4(place(at[2]))};
     }
@@ -119,6 +122,9 @@ class TriangleList {
     while (i >= blocks_[block].end) ++block;
     return blocks_[block];
   }
+  template <class Fetch, class Stored, class Mapped>
+  void visit(std::span<const std::uint32_t> numbers, Fetch fetch, Stored stored,
+             Mapped mapped) const;
 
   LargeVector<gpu::Triangle> stored_;
   LargeVector<gpu::TextureCorners> corners_;  // of the first of these; the others have none
