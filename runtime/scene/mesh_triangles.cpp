@@ -65,10 +65,11 @@ struct Converted {
   std::vector<std::vector<gpu::TextureCorners>> corners;  // parallel to `stored`, or empty there
   std::size_t dropped = 0;
 
-  void append_to(TriangleList& out, const glm::dmat4& to_scene) const {
+  void append_to(TriangleList& out, const std::vector<Placement>& placements) const {
     for (std::size_t i = 0; i < mapped.size(); ++i)
       if (mapped[i])
-        out.append(*mapped[i], to_scene);
+        for (const Placement& at : placements)
+          out.append(*mapped[i], at.to_scene, at.light, at.feature);
       else
         out.append(stored[i], corners[i]);
   }
@@ -88,14 +89,19 @@ bool shows_all(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
 }
 
 // Returns a mesh that is read in place as a whole.
-std::optional<Converted> map_mesh(const MeshSource& meshes, std::uint32_t mesh,
-                                  const glm::dmat4& to_scene) {
+std::optional<Converted> map_mesh(const MeshSource& meshes, const PlacedMesh& placed) {
   if (!meshes.map) return std::nullopt;
-  auto mapped = meshes.map(mesh);
+  auto mapped = meshes.map(placed.mesh);
   if (!mapped) return std::nullopt;
+  // A copy that is stored takes less memory than the note where a smaller one lies.
+  constexpr std::uint32_t min_triangles_of_a_copy = 8;
   std::vector<glm::vec3> positions;
   for (const auto& primitive : *mapped)
-    if (!shows_all(*primitive, to_scene, positions)) return std::nullopt;
+    if (placed.placements.size() > 1 && primitive->triangles < min_triangles_of_a_copy)
+      return std::nullopt;
+  for (const auto& primitive : *mapped)
+    for (const Placement& at : placed.placements)
+      if (!shows_all(*primitive, at.to_scene, positions)) return std::nullopt;
   Converted result;
   result.mapped = std::move(*mapped);
   return result;
@@ -103,11 +109,9 @@ std::optional<Converted> map_mesh(const MeshSource& meshes, std::uint32_t mesh,
 
 Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
                        std::span<const std::uint32_t> light_numbers) {
-  const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1 &&
-                             placed.placements[0].names_nothing();
-  if (may_be_mapped)
-    if (auto mapped = map_mesh(meshes, placed.mesh, placed.placements[0].to_scene))
-      return std::move(*mapped);
+  if (light_numbers.empty())
+    if (auto mapped = map_mesh(meshes, placed)) return std::move(*mapped);
+  const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1;
   Converted result;
   const auto mesh = meshes.read(placed.mesh, &result.mapped);
   result.mapped.resize(mesh->primitives.size());
@@ -171,7 +175,7 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
 std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers, TriangleList& out) {
   const Converted converted = convert_mesh(meshes, {mesh, {{to_scene}}}, light_numbers);
-  converted.append_to(out, to_scene);
+  converted.append_to(out, {{to_scene}});
   return converted.dropped;
 }
 
@@ -189,7 +193,7 @@ std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSourc
     const std::lock_guard lock(appending);
     waiting[i] = std::move(converted);
     for (; next < waiting.size() && waiting[next]; ++next) {
-      waiting[next]->append_to(out, placed[next].placements[0].to_scene);
+      waiting[next]->append_to(out, placed[next].placements);
       dropped += waiting[next]->dropped;
       waiting[next].reset();
     }

@@ -56,7 +56,6 @@ std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm:
 struct Placement {
   glm::dmat4 to_scene;
   std::uint32_t light = NO_HIT, feature = NO_HIT;
-  bool names_nothing() const { return light == NO_HIT && feature == NO_HIT; }
 };
 
 /// A mesh whose triangles are stored for each of its placements, of which there is at least one.

@@ -106,28 +106,36 @@ void TriangleList::append(std::span<const gpu::Triangle> triangles,
     corners_.insert(corners_.end(), corners.begin(), corners.end());
   }
   if (!blocks_.empty()) {
-    if (blocks_.back().is_mapped)
-      blocks_.push_back({size_, size_ + triangles.size(), false, false, stored_.size(), {}, {}});
-    else
+    if (blocks_.back().is_mapped) {
+      append(Block{size_, size_ + triangles.size(), false, false, stored_.size(), {}, {}});
+    } else {
       blocks_.back().end += triangles.size();
+      ends_.back() = blocks_.back().end;
+      index_blocks();
+    }
   }
   stored_.insert(stored_.end(), triangles.begin(), triangles.end());
   size_ += triangles.size();
-  while (!blocks_.empty() && block_at_.size() * indexed < size_)
-    block_at_.push_back(static_cast<std::uint32_t>(blocks_.size() - 1));
 }
 
-void TriangleList::append(const MappedPrimitive& primitive, const glm::dmat4& to_scene) {
-  if (blocks_.empty() && size_ > 0) {
-    blocks_.push_back({0, size_, false, false, 0, {}, {}});
-    block_at_.resize((size_ + indexed - 1) / indexed);
-  }
+void TriangleList::append(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
+                          std::uint32_t light, std::uint32_t feature) {
+  if (blocks_.empty() && size_ > 0) append(Block{0, size_, false, false, 0, {}, {}});
   glm::dmat4 moved(1.0);
   moved[3] = to_scene[3];
-  blocks_.push_back(
-      {size_, size_ + primitive.triangles, true, moved == to_scene, 0, primitive, to_scene});
+  append(Block{size_, size_ + primitive.triangles, true, moved == to_scene, 0, primitive, to_scene,
+               light, feature});
   size_ += primitive.triangles;
-  while (block_at_.size() * indexed < size_)
+}
+
+void TriangleList::append(const Block& block) {
+  blocks_.push_back(block);
+  ends_.push_back(block.end);
+  index_blocks();
+}
+
+void TriangleList::index_blocks() {
+  while (block_at_.size() * indexed < ends_.back())
     block_at_.push_back(static_cast<std::uint32_t>(blocks_.size() - 1));
 }
 

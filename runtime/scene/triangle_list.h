@@ -62,8 +62,10 @@ class TriangleList {
   void append(std::span<const gpu::Triangle> triangles,
               std::span<const gpu::TextureCorners> corners = {});
   /// Appends the triangles of a primitive, which lie in files that keep() is given.
-  /// `to_scene` leads from its frame to that of the scene.
-  void append(const MappedPrimitive& primitive, const glm::dmat4& to_scene);
+  /// `to_scene` leads from its frame to that of the scene. `light` and `feature` go before those of
+  /// its vertices, unless they are NO_HIT.
+  void append(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
+              std::uint32_t light = NO_HIT, std::uint32_t feature = NO_HIT);
 
   /// Holds the files that mapped primitives lie in as long as the list or a copy of it lives.
   void keep(std::shared_ptr<const SceneBytes> files) { files_ = std::move(files); }
@@ -95,14 +97,16 @@ class TriangleList {
     std::size_t stored;  // the first one's place, where they are stored
     MappedPrimitive mapped;
     glm::dmat4 to_scene;
+    std::uint32_t light = NO_HIT, feature = NO_HIT;  // of the whole block
 
     // Returns triangle `i` of a mapped block.
     gpu::Triangle make(std::size_t i) const { return make(mapped.corners(i)); }
     hierarchy::Corners corners(std::size_t i) const { return corners(mapped.corners(i)); }
     // The same by its vertices.
     gpu::Triangle make(const std::array<std::uint32_t, 3>& at) const {
-      return {place(at[0]),          mapped.material, place(at[1]),
-              mapped.feature(at[0]), place(at[2]),    mapped.light(at[0])};
+      return {place(at[0]), mapped.material,
+              place(at[1]), feature != NO_HIT ? feature : mapped.feature(at[0]),
+              place(at[2]), light != NO_HIT ? light : mapped.light(at[0])};
     }
     hierarchy::Corners corners(const std::array<std::uint32_t, 3>& at) const {
       return {hierarchy::to_float4(place(at[0])), hierarchy::to_float4(place(at[1])),
@@ -116,10 +120,13 @@ class TriangleList {
   };
   static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_
 
+  void append(const Block& block);
+  // Notes where triangles lie that the last block has been given.
+  void index_blocks();
   // There must be blocks.
   const Block& block_of(std::size_t i) const {
     std::size_t block = block_at_[i / indexed];
-    while (i >= blocks_[block].end) ++block;
+    while (i >= ends_[block]) ++block;
     return blocks_[block];
   }
   template <class Fetch, class Stored, class Mapped>
@@ -129,6 +136,7 @@ class TriangleList {
   LargeVector<gpu::Triangle> stored_;
   LargeVector<gpu::TextureCorners> corners_;  // of the first of these; the others have none
   std::vector<Block> blocks_;                 // none: all are stored
+  std::vector<std::size_t> ends_;             // of blocks_, so that a search reads little memory
   std::vector<std::uint32_t> block_at_;       // of triangle i * indexed
   std::size_t size_ = 0;
   std::shared_ptr<const SceneBytes> files_;
