@@ -100,32 +100,20 @@ void StrongestLights::add_stronger(const LightRange& range, float centre_x, floa
   count_ = std::size_t(to - found_.data());
 }
 
-// Leaves out the lights that rounding could confuse with one that is left out. Windows above each
-// other are as strong, so most cells have some of these, and nearly all are among the few whose
-// strength is near the weakest one's.
+// Leaves out the lights that rounding could confuse with one that is left out.
 void StrongestLights::leave_gap() {
-  constexpr float near = 1.01f;
-  bool any = true;
-  while (any) {
-    const float limit = outside_ * near, first = outside_;
-    near_.resize(count_ + 1);
-    std::size_t nears = 0;
+  while (true) {
+    const float limit = outside_ * min_gap;
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      near_[nears] = strength_of(found_[i]);
-      nears += near_[nears] <= limit;
+      const float strength = strength_of(found_[i]);
+      if (strength > limit)
+        found_[kept++] = found_[i];
+      else
+        outside_ = std::max(outside_, strength);
     }
-    std::sort(near_.begin(), near_.begin() + std::ptrdiff_t(nears));
-    std::size_t taken = 0;
-    for (; taken < nears && near_[taken] <= outside_ * min_gap; ++taken)
-      outside_ = std::max(outside_, near_[taken]);
-    if (taken > 0) {
-      const auto end = found_.begin() + std::ptrdiff_t(count_);
-      count_ =
-          std::size_t(std::remove_if(found_.begin(), end,
-                                     [&](FoundLight f) { return strength_of(f) <= outside_; }) -
-                      found_.begin());
-    }
-    any = taken == nears && outside_ > first;  // those beyond may be as near to the last one
+    if (kept == count_) return;
+    count_ = kept;
   }
 }
 

@@ -49,7 +49,6 @@ class StrongestLights {
   std::size_t listed_;
   std::vector<FoundLight> found_;  // the first count_ of these, and room for more
   std::size_t count_ = 0;
-  std::vector<float> near_;
   float bar_ = 0, unseen_ = 0, outside_ = 0;
 };
 
