@@ -31,6 +31,7 @@ constexpr const char* instance_features = "EXT_instance_features";
 constexpr const char* lights_punctual = "KHR_lights_punctual";
 constexpr const char* lights_ies = "EXT_lights_ies";
 constexpr const char* mesh_features = "EXT_mesh_features";
+constexpr const char* hierarchy = "NIGHTCITY_hierarchy";  // SPEC.md, 2.6
 constexpr const char* structural_metadata = "EXT_structural_metadata";
 
 constexpr const char* specular_glossiness = "KHR_materials_pbrSpecularGlossiness";
@@ -45,7 +46,7 @@ constexpr const char* feature_attribute = "_FEATURE_ID_0";
 // This attribute of vertices and instances is an index into city.lights.
 constexpr const char* light_attribute = "_LIGHT";
 constexpr const char* extras_key = "nightcity";
-constexpr const char* scene_version = "1.0";
+constexpr const char* scene_version = "1.1";
 
 // Ids are stored as floats, which are exact for whole numbers up to 2^24. But Draco's quantiser
 // adds 0.5 before it rounds down, and floats hold halves only up to 2^23.

@@ -15,6 +15,12 @@ void write_words(AtomicFile& file, std::initializer_list<std::uint32_t> words) {
   for (const std::uint32_t word : words) file.write(&word, sizeof word);
 }
 
+// Three headers come before the binary chunk: the file's and one of each chunk.
+std::uint64_t count_padding(const JsonText& json) {
+  constexpr std::uint64_t headers = header_bytes + 2 * chunk_header_bytes;
+  return (8 - (json.size() + headers) % 8) % 8;
+}
+
 }  // namespace
 
 nlohmann::json make_accessor(int component_type, const char* type, std::size_t count) {
@@ -36,14 +42,14 @@ std::size_t Stream::add_accessor(nlohmann::json accessor, std::optional<std::siz
   return accessors.add(accessor);
 }
 
-void write_glb(const std::filesystem::path& path, JsonText& json, ScratchFile& binary) {
-  // Three headers come before the binary chunk: the file's and one of each chunk.
-  constexpr std::uint64_t headers = header_bytes + 2 * chunk_header_bytes;
-  json.add(std::string((8 - (json.size() + headers) % 8) % 8, ' '));
+std::uint64_t count_glb_bytes(const JsonText& json, std::uint64_t binary_size) {
+  return header_bytes + chunk_header_bytes + json.size() + count_padding(json) +
+         (binary_size == 0 ? 0 : chunk_header_bytes + binary_size);
+}
 
-  const std::uint64_t binary_size = binary.size();
-  const std::uint64_t total = header_bytes + chunk_header_bytes + json.size() +
-                              (binary_size == 0 ? 0 : chunk_header_bytes + binary_size);
+void write_glb(const std::filesystem::path& path, JsonText& json, ScratchFile& binary) {
+  json.add(std::string(count_padding(json), ' '));
+  const std::uint64_t binary_size = binary.size(), total = count_glb_bytes(json, binary_size);
   if (total > std::numeric_limits<std::uint32_t>::max())
     throw Error(path.string(), "the scene needs " + std::to_string(total) +
                                    " bytes, a .glb holds 4 GiB: use Draco or bake fewer files");

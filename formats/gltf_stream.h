@@ -43,6 +43,9 @@ struct Stream {
   std::set<std::string> extensions_used, extensions_required;
 };
 
+/// Returns the size of the file that write_glb would write, whose binary chunk has so many bytes.
+std::uint64_t count_glb_bytes(const JsonText& json, std::uint64_t binary_size);
+
 /// Writes the file: `json` is padded so that the binary chunk starts on a multiple of 8, for
 /// readers that map the file. Throws Error if it would be larger than the 4 GiB that a .glb may
 /// hold.

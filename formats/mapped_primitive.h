@@ -38,6 +38,14 @@ struct MappedPrimitive {
     for (std::size_t k = 0; k < 3; ++k) result[k] = std::min(index(3 * triangle + k), vertices - 1);
     return result;
   }
+  /// Returns the vertex of a corner as the file has it, `corner` < 3 * triangles.
+  std::uint32_t index(std::size_t corner) const {
+    if (!indices.first) return static_cast<std::uint32_t>(corner);
+    const std::byte* bytes = indices.first + corner * indices.stride;
+    return index_bytes == 1   ? load<std::uint8_t>(bytes)
+           : index_bytes == 2 ? load<std::uint16_t>(bytes)
+                              : load<std::uint32_t>(bytes);
+  }
   glm::vec3 position(std::uint32_t vertex) const {
     glm::vec3 result;
     std::memcpy(&result, positions.first + vertex * positions.stride, sizeof result);
@@ -62,13 +70,6 @@ struct MappedPrimitive {
     T value;
     std::memcpy(&value, bytes, sizeof value);
     return value;
-  }
-  std::uint32_t index(std::size_t corner) const {
-    if (!indices.first) return static_cast<std::uint32_t>(corner);
-    const std::byte* bytes = indices.first + corner * indices.stride;
-    return index_bytes == 1   ? load<std::uint8_t>(bytes)
-           : index_bytes == 2 ? load<std::uint16_t>(bytes)
-                              : load<std::uint32_t>(bytes);
   }
 };
 

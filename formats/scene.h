@@ -94,6 +94,7 @@ struct SceneNode {
   std::vector<SceneInstance> instances;
   // extras.nightcity.vehicle: the mesh is the body of this kind of vehicle, in the vehicle's frame.
   std::uint32_t vehicle = no_id;
+  std::uint32_t number = no_id;  // among the nodes of the file that it was read from
 };
 
 /// A building or another city object, kept in the file (EXT_structural_metadata) to identify what a

@@ -102,7 +102,10 @@ std::vector<SceneNode> NodeReader::read() const {
       if (reached[step.node]) throw Error("", "is reached twice");
       reached[step.node] = true;
       const glm::dmat4 to_model = step.parent * local_matrix(node);
-      if (auto placed = read_node(node, to_model)) nodes.push_back(std::move(*placed));
+      if (auto placed = read_node(node, to_model)) {
+        placed->number = static_cast<std::uint32_t>(step.node);
+        nodes.push_back(std::move(*placed));
+      }
       push(node_indices(node, "children"), to_model);
     } catch (const Error& error) {
       throw Error("", numbered("node", step.node), error.what());

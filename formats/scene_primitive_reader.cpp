@@ -140,6 +140,29 @@ std::vector<glm::vec2> PrimitiveReader::read_texture_coordinates(const Json& sou
   return coordinates;
 }
 
+bool is_fit(const MappedPrimitive& primitive) {
+  const auto load = [](const MappedPrimitive::Array& array, std::size_t vertex) {
+    float value;
+    std::memcpy(&value, array.first + vertex * array.stride, sizeof value);
+    return value;
+  };
+  std::uint32_t largest = 0;
+  for (std::size_t corner = 0; corner < 3 * std::size_t{primitive.triangles}; ++corner)
+    largest = std::max(largest, primitive.index(corner));
+  bool fit = largest < primitive.vertices;
+  for (std::uint32_t i = 0; i < primitive.vertices; ++i) fit &= finite(primitive.position(i));
+  if (primitive.features.first)
+    for (std::size_t i = 0; i < primitive.vertices; ++i) {
+      const float id = load(primitive.features, i);
+      fit &= id == primitive.null_feature ||
+             (id >= 0 && id < static_cast<float>(primitive.feature_count));
+    }
+  if (primitive.lights.first)
+    for (std::size_t i = 0; i < primitive.vertices; ++i)
+      fit &= load(primitive.lights, i) < static_cast<float>(gltf::max_id);
+  return fit;
+}
+
 std::optional<MappedPrimitive> PrimitiveReader::find(
     const Json& source, const std::vector<FeatureRange>& tables) const {
   const Json& attributes = member(source, "attributes");
@@ -166,8 +189,9 @@ std::optional<MappedPrimitive> PrimitiveReader::find(
   const auto is_id = [&](const Place& place) {
     return place.component_type == gltf::float32 && place.count == found.vertices;
   };
+  const MappedPrimitive::Array ids = take(attributes, gltf::feature_attribute, 1, is_id);
   if (const auto features = find_feature_ids(source, gltf::mesh_features, tables)) {
-    found.features = take(attributes, gltf::feature_attribute, 1, is_id);
+    found.features = ids;
     found.first_feature = static_cast<std::uint32_t>(features->table.first);
     found.feature_count = static_cast<std::uint32_t>(features->table.count);
     if (features->none) found.null_feature = static_cast<float>(*features->none);
@@ -182,6 +206,7 @@ std::optional<MappedPrimitive> PrimitiveReader::find(
     return found.index_bytes != 0;
   });
   found.triangles = static_cast<std::uint32_t>(std::min<std::size_t>(corners / 3, no_id));
+  plain = plain && corners % 3 == 0;
   return plain && found.triangles > 0 ? std::optional(found) : std::nullopt;
 }
 

@@ -29,6 +29,10 @@ std::vector<std::uint32_t> to_feature_ids(const gltf::Json& source, const char* 
                                           const std::vector<float>& values,
                                           const std::vector<FeatureRange>& tables);
 
+/// Returns whether the values of a primitive are those that PrimitiveReader::read() accepts:
+/// positions are finite, indices and ids in their ranges.
+bool is_fit(const MappedPrimitive& primitive);
+
 class PrimitiveReader {
  public:
   explicit PrimitiveReader(const gltf::AccessorReader& accessors) : accessors_(accessors) {}
@@ -47,8 +51,8 @@ class PrimitiveReader {
                                                   std::size_t vertices) const;
 
   /// Returns the same triangles where they lie in the file, without their material; nothing where
-  /// they are no plain list: strips, compressed or sparse values, colours of vertices. read() must
-  /// have accepted the primitive.
+  /// they are no plain list: strips, compressed or sparse values, colours of vertices. The values
+  /// are checked by read(), or by is_fit().
   std::optional<MappedPrimitive> find(const gltf::Json& source,
                                       const std::vector<FeatureRange>& tables) const;
 

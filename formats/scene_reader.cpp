@@ -18,6 +18,7 @@
 #include "formats/scene_places_json.h"
 #include "formats/scene_primitive_reader.h"
 #include "formats/skipped_content.h"
+#include "formats/stored_hierarchy_reader.h"
 #include "formats/vertex_colours.h"
 
 namespace nightcity {
@@ -50,10 +51,13 @@ class Reader {
     read_features();
     read_materials();
     scene_.nodes = NodeReader(document_, accessors_, tables_).read();
+    hierarchies_ = read_hierarchies(document_, accessors_, hierarchy_sentences_);
   }
 
   const Scene& scene() const { return scene_; }
+  const std::vector<StoredHierarchy>& hierarchies() const { return hierarchies_; }
   SceneMesh read_mesh(std::size_t index, MappedMesh* mapped);
+  std::optional<MappedMesh> map_mesh(std::size_t index);
   std::size_t count_triangles(std::size_t index) const;
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t index) const;
   bool has_colours() const;
@@ -67,7 +71,8 @@ class Reader {
       scene_.skipped.push_back(std::to_string(count) +
                                (count == 1 ? " primitive has" : " primitives have") +
                                " a texture and no texture coordinates: the mean colour is shown");
-    for (auto* sentences : {&material_sentences_, &colour_sentences_, &place_sentences_})
+    for (auto* sentences :
+         {&material_sentences_, &colour_sentences_, &place_sentences_, &hierarchy_sentences_})
       scene_.skipped.insert(scene_.skipped.end(), sentences->begin(), sentences->end());
   }
   Scene finish() {
@@ -86,6 +91,7 @@ class Reader {
   MaterialReader materials_;
   PrimitiveReader primitives_;
   Scene scene_;
+  std::vector<StoredHierarchy> hierarchies_;
   std::vector<FeatureRange> tables_;
   // The file's materials come first, then glTF's default one, then those of vertices' colours.
   std::size_t material_count_ = 0;  // of the file
@@ -93,7 +99,8 @@ class Reader {
   std::atomic<bool> uses_default_ = false;
   std::atomic<std::size_t> untextured_ = 0;  // primitives without the coordinates for their texture
   bool complete_ = false;
-  std::vector<std::string> material_sentences_, colour_sentences_, place_sentences_;
+  std::vector<std::string> material_sentences_, colour_sentences_, place_sentences_,
+      hierarchy_sentences_;
 };
 
 void Reader::read_features() {
@@ -163,6 +170,18 @@ SceneMesh Reader::read_mesh(std::size_t index, MappedMesh* mapped) {
     } catch (const Error& error) {
       throw Error("", numbered("mesh", index) + numbered(" primitive", p), error.what());
     }
+  }
+  return mesh;
+}
+
+std::optional<MappedMesh> Reader::map_mesh(std::size_t index) {
+  MappedMesh mesh;
+  for (const Json& source : member(document_.element("meshes", index), "primitives")) {
+    auto primitive = primitives_.find(source, tables_);
+    if (!primitive || !is_fit(*primitive)) return std::nullopt;
+    primitive->material = find_material(source);
+    if (scene_.materials[primitive->material].texture) return std::nullopt;
+    mesh.push_back(primitive);
   }
   return mesh;
 }
@@ -238,6 +257,14 @@ std::size_t count_bytes(const SceneMesh& mesh) {
   return bytes;
 }
 
+std::size_t count_bytes(const MappedMesh& mesh) {
+  std::size_t bytes = 0;
+  for (const auto& primitive : mesh)
+    bytes += primitive->vertices * (sizeof(glm::vec3) + 8) +
+             3 * primitive->triangles * primitive->index_bytes;
+  return bytes;
+}
+
 }  // namespace
 
 struct SceneFile::Reading {
@@ -246,6 +273,12 @@ struct SceneFile::Reading {
   Reader reader{document};
   std::atomic<std::size_t> resident = 0;
   bool in_parallel = false;
+
+  void release_pages_after(std::size_t bytes) {
+    if ((resident += bytes) <= max_resident) return;
+    resident = 0;
+    document.release_pages();
+  }
 };
 
 SceneFile::SceneFile(const std::filesystem::path& path)
@@ -260,6 +293,9 @@ SceneFile::~SceneFile() = default;
 
 const Scene& SceneFile::scene() const {
   return reading_->reader.scene();
+}
+const std::vector<StoredHierarchy>& SceneFile::hierarchies() const {
+  return reading_->reader.hierarchies();
 }
 std::size_t SceneFile::mesh_count() const {
   return reading_->document.count("meshes");
@@ -279,11 +315,18 @@ std::optional<std::array<glm::vec3, 2>> SceneFile::find_bounds(std::size_t mesh)
 SceneMesh SceneFile::read_mesh(std::size_t index, MappedMesh* mapped) {
   SceneMesh mesh =
       with_name(reading_->path, [&] { return reading_->reader.read_mesh(index, mapped); });
-  if ((reading_->resident += count_bytes(mesh)) > max_resident) {
-    reading_->resident = 0;
-    reading_->document.release_pages();
-  }
+  reading_->release_pages_after(count_bytes(mesh));
   return mesh;
+}
+
+std::optional<MappedMesh> SceneFile::map_mesh(std::size_t index) {
+  try {
+    auto mesh = reading_->reader.map_mesh(index);
+    if (mesh) reading_->release_pages_after(count_bytes(*mesh));
+    return mesh;
+  } catch (const std::exception&) {
+    return std::nullopt;  // read_mesh says why
+  }
 }
 
 std::shared_ptr<const SceneBytes> SceneFile::close() {

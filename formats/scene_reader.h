@@ -7,10 +7,12 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "formats/mapped_primitive.h"
 #include "formats/scene.h"
 #include "formats/scene_bytes.h"
+#include "formats/stored_hierarchy.h"
 
 namespace nightcity {
 
@@ -26,6 +28,8 @@ class SceneFile {
   /// after close() or finish() only.
   const Scene& scene() const;
   std::size_t mesh_count() const;
+  /// Returns the hierarchies that the file holds of static triangles. Their arrays lie in it.
+  const std::vector<StoredHierarchy>& hierarchies() const;
   /// Returns the triangles that a mesh has by its accessors, which hold no promise: a bound for
   /// what to reserve. It is never above the bytes of the file.
   std::size_t count_triangles(std::size_t mesh) const;
@@ -36,7 +40,10 @@ class SceneFile {
 
   /// Returns a mesh. `index` < mesh_count(). `mapped` gets where its primitives lie in the file.
   SceneMesh read_mesh(std::size_t index, MappedMesh* mapped = nullptr);
-  /// Returns whether several threads may call read_mesh at once. Not where vertices have colours:
+  /// Returns where the primitives of a mesh lie in the file, after read_mesh's checks and without
+  /// reading more; nothing where some of them cannot be read in place, or are refused by read_mesh.
+  std::optional<MappedMesh> map_mesh(std::size_t index);
+  /// Returns whether several threads may call read_mesh and map_mesh at once. Not where vertices have colours:
   /// the materials made of them are numbered in the order of the meshes that are read.
   bool reads_in_parallel() const;
 

@@ -16,18 +16,12 @@ using gltf::member;
 
 // Extensions that are read, or that change nothing that is shown.
 const std::set<std::string>& known_extensions() {
-  static const std::set<std::string> names{gltf::draco,
-                                           gltf::emissive_strength,
-                                           gltf::gpu_instancing,
-                                           gltf::mesh_features,
-                                           gltf::instance_features,
-                                           gltf::structural_metadata,
-                                           gltf::lights_punctual,
-                                           gltf::specular_glossiness,
-                                           "KHR_materials_unlit",
-                                           "KHR_mesh_quantization",
-                                           gltf::texture_transform,
-                                           "KHR_xmp_json_ld"};
+  static const std::set<std::string> names{
+      gltf::draco,           gltf::emissive_strength, gltf::gpu_instancing,
+      gltf::mesh_features,   gltf::instance_features, gltf::structural_metadata,
+      gltf::lights_punctual, gltf::hierarchy,         gltf::specular_glossiness,
+      "KHR_materials_unlit", "KHR_mesh_quantization", gltf::texture_transform,
+      "KHR_xmp_json_ld"};
   return names;
 }
 

@@ -46,8 +46,10 @@ gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scen
       scene.triangles.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
         constexpr std::size_t piece = 1 << 14;
         run_parallel((to.size() + piece - 1) / piece, count_cores(), [&](std::size_t i) {
-          for (std::size_t at = i * piece; at < std::min(to.size(), (i + 1) * piece); ++at)
-            to[at] = scene.triangles[scene.triangle_order[first + at]];
+          const std::size_t begin = i * piece, count = std::min(piece, to.size() - begin);
+          scene.triangles.gather(
+              std::span<const std::uint32_t>(scene.triangle_order).subspan(first + begin, count),
+              to.subspan(begin, count));
           if ((read += piece) % resident_triangles == 0) scene.triangles.release_pages();
         });
       });

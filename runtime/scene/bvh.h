@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "formats/large_vector.h"
 #include "runtime/scene/box.h"
-#include "runtime/scene/large_vector.h"
 #include "runtime/scene/triangle_list.h"
 #include "shaders/bvh_types.h"
 

@@ -5,10 +5,16 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/scene/bounds.h"
+#include "formats/hierarchy/bounds.h"
 
 namespace nightcity::scene {
 namespace {
+
+using hierarchy::Float4;
+using hierarchy::Int4;
+using hierarchy::max_of;
+using hierarchy::min_of;
+using hierarchy::to_int;
 
 // std::nextafter, without a call and for finite numbers only.
 float step_bits(float x, bool towards_zero) {

@@ -31,20 +31,22 @@ void fill_row(const std::vector<LightBins>& classes, const gpu::LightGridShape& 
     gpu::LightCell& cell = cells[x];
     cell.first = static_cast<std::uint32_t>(entries.size());
     cell.count = static_cast<std::uint32_t>(found.size());
-    weights.clear();
+    weights.resize(found.size());
     double sum = 0;
-    for (const FoundLight f : found) {
-      weights.push_back(strength_of(f));
-      sum += double(weights.back());
+    float weakest = INFINITY;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      weights[i] = strength_of(found[i]);
+      weakest = std::min(weakest, weights[i]);
+      sum += double(weights[i]);
     }
     cell.strength_sum = static_cast<float>(sum);
     // The threshold lies between the weakest light inside and the strongest outside.
-    cell.threshold = found.empty() ? 0.0f
-                                   : std::sqrt(*std::min_element(weights.begin(), weights.end())) *
-                                         std::sqrt(search.outside());
+    cell.threshold = found.empty() ? 0.0f : std::sqrt(weakest) * std::sqrt(search.outside());
     const std::span<const gpu::AliasEntry> alias = table.build(weights);
+    entries.resize(cell.first + found.size());
+    gpu::GridEntry* const to = entries.data() + cell.first;
     for (std::size_t i = 0; i < found.size(); ++i)
-      entries.push_back({light_of(found[i]), alias[i].keep, light_of(found[alias[i].alias])});
+      to[i] = {light_of(found[i]), alias[i].keep, light_of(found[alias[i].alias])};
   }
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/scene/large_vector.h"
+#include "formats/large_vector.h"
 #include "shaders/interface.h"
 
 namespace nightcity::scene {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "formats/hierarchy/static_geometry.h"
 #include "runtime/scene/mesh_triangles.h"
 #include "runtime/scene/parts.h"
 
@@ -20,15 +21,11 @@ struct GeometryFilter {
   std::span<const std::uint32_t> light_numbers;  // from leave_out_lights
 };
 
-/// Returns whether a node is the ground around a scene, to the horizon. It has a hierarchy of its
-/// own, since its box would make those of the scene coarse, and is no part of the scene's bounds.
-inline bool is_horizon(const SceneNode& node) {
-  return node.kind == "horizon";
-}
+using hierarchy::is_horizon;
 
 class MeshPlacement {
  public:
-  /// Keeps references to its arguments. `origin` is that of the triangles, in model space. The
+  /// Keeps references to `scene` and `filter`. `origin` is that of the triangles, in model space. The
   /// file's vehicles show one moment: with `has_traffic` they are skipped.
   MeshPlacement(const Scene& scene, const MeshSource& meshes, const GeometryFilter& filter,
                 const glm::dvec3& origin, bool has_traffic);
@@ -51,11 +48,7 @@ class MeshPlacement {
   std::size_t dropped() const { return dropped_; }
 
  private:
-  void find_units();
-  void find_merged();
-
   const Scene& scene_;
-  const MeshSource& meshes_;
   const GeometryFilter& filter_;
   glm::dvec3 origin_;
   std::vector<bool> skipped_, merged_;  // of each node

@@ -1,12 +1,10 @@
 #include "runtime/scene/mesh_triangles.h"
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <mutex>
 #include <optional>
 
-#include "formats/finite.h"
+#include "formats/hierarchy/static_geometry.h"
 #include "formats/parallel.h"
 #include "runtime/scene/bvh.h"
 #include "runtime/scene/parts.h"
@@ -36,7 +34,7 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
   std::size_t dropped = 0;
   positions.clear();
   for (const glm::vec3& p : primitive.positions)
-    positions.emplace_back(placement.to_scene * glm::dvec4(p, 1.0));
+    positions.push_back(hierarchy::place(placement.to_scene, p));
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1],
                         c = primitive.indices[i + 2];
@@ -44,9 +42,7 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
     t.v0 = positions[a];
     t.v1 = positions[b];
     t.v2 = positions[c];
-    const glm::vec3 normal = glm::cross(t.v1 - t.v0, t.v2 - t.v0);
-    if (!(glm::dot(normal, normal) > 0) || !is_within_reach(t.v0) || !is_within_reach(t.v1) ||
-        !is_within_reach(t.v2)) {
+    if (!hierarchy::is_shown(t.v0, t.v1, t.v2)) {
       ++dropped;
       continue;
     }
@@ -69,24 +65,58 @@ struct Converted {
   std::vector<std::vector<gpu::TextureCorners>> corners;  // parallel to `stored`, or empty there
   std::size_t dropped = 0;
 
-  void append_to(TriangleList& out, const glm::dmat4& to_scene) const {
+  void append_to(TriangleList& out, const std::vector<Placement>& placements) const {
     for (std::size_t i = 0; i < mapped.size(); ++i)
       if (mapped[i])
-        out.append(*mapped[i], to_scene);
+        for (const Placement& at : placements)
+          out.append(*mapped[i], at.to_scene, at.light, at.feature);
       else
         out.append(stored[i], corners[i]);
   }
 };
 
+// Returns whether all triangles of a primitive are shown.
+bool shows_all(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
+               std::vector<glm::vec3>& positions) {
+  positions.resize(primitive.vertices);
+  for (std::uint32_t i = 0; i < primitive.vertices; ++i)
+    positions[i] = hierarchy::place(to_scene, primitive.position(i));
+  for (std::size_t i = 0; i < primitive.triangles; ++i) {
+    const auto [a, b, c] = primitive.corners(i);
+    if (!hierarchy::is_shown(positions[a], positions[b], positions[c])) return false;
+  }
+  return true;
+}
+
+// Returns a mesh that is read in place as a whole.
+std::optional<Converted> map_mesh(const MeshSource& meshes, const PlacedMesh& placed) {
+  if (!meshes.map) return std::nullopt;
+  auto mapped = meshes.map(placed.mesh);
+  if (!mapped) return std::nullopt;
+  // A copy that is stored takes less memory than the note where a smaller one lies.
+  constexpr std::uint32_t min_triangles_of_a_copy = 8;
+  std::vector<glm::vec3> positions;
+  for (const auto& primitive : *mapped)
+    if (placed.placements.size() > 1 && primitive->triangles < min_triangles_of_a_copy)
+      return std::nullopt;
+  for (const auto& primitive : *mapped)
+    for (const Placement& at : placed.placements)
+      if (!shows_all(*primitive, at.to_scene, positions)) return std::nullopt;
+  Converted result;
+  result.mapped = std::move(*mapped);
+  return result;
+}
+
 Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
                        std::span<const std::uint32_t> light_numbers) {
+  if (light_numbers.empty())
+    if (auto mapped = map_mesh(meshes, placed)) return std::move(*mapped);
+  const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1;
   Converted result;
   const auto mesh = meshes.read(placed.mesh, &result.mapped);
   result.mapped.resize(mesh->primitives.size());
   result.stored.resize(mesh->primitives.size());
   result.corners.resize(mesh->primitives.size());
-  const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1 &&
-                             placed.placements[0].names_nothing();
   std::vector<glm::vec3> positions;
   for (std::size_t i = 0; i < mesh->primitives.size(); ++i) {
     const ScenePrimitive& primitive = mesh->primitives[i];
@@ -145,7 +175,7 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
 std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers, TriangleList& out) {
   const Converted converted = convert_mesh(meshes, {mesh, {{to_scene}}}, light_numbers);
-  converted.append_to(out, to_scene);
+  converted.append_to(out, {{to_scene}});
   return converted.dropped;
 }
 
@@ -163,7 +193,7 @@ std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSourc
     const std::lock_guard lock(appending);
     waiting[i] = std::move(converted);
     for (; next < waiting.size() && waiting[next]; ++next) {
-      waiting[next]->append_to(out, placed[next].placements[0].to_scene);
+      waiting[next]->append_to(out, placed[next].placements);
       dropped += waiting[next]->dropped;
       waiting[next].reset();
     }

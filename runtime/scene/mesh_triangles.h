@@ -6,10 +6,12 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "formats/scene.h"
+#include "formats/stored_hierarchy.h"
 #include "runtime/scene/render_scene.h"
 #include "runtime/scene/triangle_list.h"
 
@@ -20,11 +22,15 @@ struct MeshSource {
   /// `mapped`, where it is not null, gets where the mesh's primitives lie in the file, or stays
   /// empty.
   std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh, MappedMesh* mapped)> read;
+  /// Returns where all primitives of a mesh lie in the file, checked as `read` does, nothing where
+  /// it must be called. It may be absent.
+  std::function<std::optional<MappedMesh>(std::uint32_t mesh)> map{};
   /// Called when every mesh has been read, as often as it is needed: `read` is not called again.
   std::function<void()> close;
-  bool in_parallel = false;            // `read` may be called by several threads at the same time
-  std::vector<std::size_t> triangles;  // of each mesh, as far as is known before it is read
-  std::vector<Box> bounds;             // the same of their boxes, in the meshes' own frames
+  bool in_parallel = false;  // `read` and `map` may be called by several threads at the same time
+  std::vector<std::size_t> triangles;          // of each mesh, as far as is known before it is read
+  std::vector<Box> bounds;                     // the same of their boxes, in the meshes' own frames
+  std::vector<StoredHierarchy> hierarchies{};  // those that a file holds of static triangles
 };
 
 /// Returns the meshes that `scene` holds, which must outlive the result.
@@ -50,7 +56,6 @@ std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm:
 struct Placement {
   glm::dmat4 to_scene;
   std::uint32_t light = NO_HIT, feature = NO_HIT;
-  bool names_nothing() const { return light == NO_HIT && feature == NO_HIT; }
 };
 
 /// A mesh whose triangles are stored for each of its placements, of which there is at least one.

@@ -143,6 +143,8 @@ std::string spacing_at(double coordinate) {
 
 std::vector<std::string> describe_left_out(const RenderScene& scene) {
   std::vector<std::string> sentences = scene.skipped;
+  sentences.insert(sentences.end(), scene.unused_hierarchies.begin(),
+                   scene.unused_hierarchies.end());
   const auto say = [&](std::size_t count, const char* one, const char* many, const char* rest) {
     if (count != 0) sentences.push_back(std::to_string(count) + (count == 1 ? one : many) + rest);
   };
@@ -236,12 +238,14 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   meshes.read = [&file](std::uint32_t mesh, MappedMesh* mapped) {
     return std::make_shared<const SceneMesh>(file.read_mesh(mesh, mapped));
   };
+  meshes.map = [&file](std::uint32_t mesh) { return file.map_mesh(mesh); };
   meshes.close = [&] {
     out.triangles.keep(file.close());
     // The JSON was a million small pieces, which the C library would keep for others.
     ::malloc_trim(0);
   };
   meshes.in_parallel = file.reads_in_parallel();
+  meshes.hierarchies = file.hierarchies();
   for (std::size_t i = 0; i < file.mesh_count(); ++i) {
     meshes.triangles.push_back(file.count_triangles(i));
     Box& bounds = meshes.bounds.emplace_back();

@@ -107,6 +107,8 @@ struct RenderScene {
   std::size_t dropped_triangles = 0;   // zero area, or beyond reach
   std::size_t dropped_instances = 0;   // singular matrix, or beyond reach
   std::vector<std::string> skipped{};  // as in Scene
+  std::size_t stored_hierarchies = 0;  // whose order and topology are the file's
+  std::vector<std::string> unused_hierarchies{};  // why others of the file were built instead
   PartCounts parts{};  // what the files hold of each part, whether it was left out or not
   PartSet left_out{};
   bool has_edited_lights = false;  // some are not as the files have them

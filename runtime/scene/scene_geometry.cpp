@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "formats/finite.h"
+#include "formats/hierarchy/static_geometry.h"
 #include "runtime/scene/parts.h"
+#include "runtime/scene/stored_bvh.h"
 
 namespace nightcity::scene {
 namespace {
@@ -20,6 +22,7 @@ constexpr std::uint32_t triangle_leaf = 4;
 constexpr std::uint32_t tlas_stack = 33;
 // One entry is for the other child of the root above the static scene and the vehicles.
 constexpr std::uint32_t mesh_stack = BVH_STACK - tlas_stack - 1;
+static_assert(triangle_leaf == hierarchy::static_leaf && mesh_stack == hierarchy::static_stack);
 constexpr std::uint32_t body_stack = BVH_STACK - 3 * VEHICLE_LEVELS - 2;
 
 // Consecutive triangles of a scene, from `first` to before `end`.
@@ -27,13 +30,32 @@ struct TriangleRange {
   std::size_t first, end;
 };
 
-// Builds the BLAS over some triangles, and returns its root and box.
+// What a user leaves out is no fault of the file's.
+void say_unused(RenderScene& scene, const std::string& fault) {
+  if (scene.left_out.none())
+    scene.unused_hierarchies.push_back("a stored hierarchy is not used, because " + fault);
+}
+
+// Adds the BLAS over some triangles, and returns its root and box. It is built, unless `stored` is
+// of these triangles.
 std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& range,
-                                       unsigned threads, std::uint32_t stack = mesh_stack) {
+                                       unsigned threads, std::uint32_t stack = mesh_stack,
+                                       const StoredHierarchy* stored = nullptr) {
   const std::size_t count = range.end - range.first;
   scene.triangle_order.resize(range.end);
-  const BvhRoot root = append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack,
-                                  threads, std::span(scene.triangle_order).subspan(range.first));
+  const auto order = std::span(scene.triangle_order).subspan(range.first);
+  BvhRoot root;
+  bool is_built = stored == nullptr;
+  if (stored) {
+    const std::string fault = append_stored_bvh(scene.nodes, scene.triangles, range.first, *stored,
+                                                triangle_leaf, stack, threads, order, root);
+    is_built = !fault.empty();
+    scene.stored_hierarchies += is_built ? 0 : 1;
+    if (is_built) say_unused(scene, fault);
+  }
+  if (is_built)
+    root =
+        append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads, order);
   if (count > 0)
     scene.meshes.push_back(
         {root.node, static_cast<std::uint32_t>(range.first), static_cast<std::uint32_t>(count)});
@@ -112,7 +134,8 @@ void reserve_memory(RenderScene& out, const Scene& scene, const MeshSource& mesh
 struct StoredMeshes {
   // Everything that does not move and is stored where it stands: what casts shadows, and the rest.
   std::array<TriangleRange, 2> merged;
-  std::vector<std::optional<TriangleRange>> instanced;  // of each mesh
+  std::array<std::vector<std::uint32_t>, 2> merged_nodes;  // of the file
+  std::vector<std::optional<TriangleRange>> instanced;     // of each mesh
 };
 
 StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSource& meshes,
@@ -125,7 +148,9 @@ StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSou
       if (placement.is_skipped(i) || !placement.is_merged(i) || placement.casts_shadow(i) != shadow)
         continue;
       PlacedMesh placed{scene.nodes[i].mesh, placement.find_placements(i)};
-      if (!placed.placements.empty()) merged.push_back(std::move(placed));
+      if (placed.placements.empty()) continue;
+      merged.push_back(std::move(placed));
+      stored.merged_nodes[shadow ? 0 : 1].push_back(scene.nodes[i].number);
     }
     const std::size_t first = out.triangles.size();
     out.dropped_triangles +=
@@ -145,10 +170,23 @@ StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSou
   return stored;
 }
 
+// Returns the file's hierarchy of these nodes, null where it has none. Boxes are stored in the
+// frame of model space.
+const StoredHierarchy* find_stored(RenderScene& out, const std::vector<StoredHierarchy>& all,
+                                   bool shadow, const std::vector<std::uint32_t>& nodes) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const StoredHierarchy& stored) {
+    return stored.casts_shadow == shadow;
+  });
+  if (found == all.end() || out.origin != glm::dvec3(0)) return nullptr;
+  if (found->nodes == nodes) return &*found;
+  say_unused(out, "it is of other nodes");
+  return nullptr;
+}
+
 // Builds a BLAS for each mesh that is instanced, and two for all others: a ray then crosses the
 // city without leaving and entering instances. And the TLAS over all of them.
-void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& stored,
-                     MeshPlacement& placement, unsigned threads) {
+void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                     const StoredMeshes& stored, MeshPlacement& placement, unsigned threads) {
   std::vector<Box> boxes;
   const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow,
                          bool in_bounds = true) {
@@ -164,7 +202,9 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& s
     if (in_bounds) out.bounds.grow(boxes.back());
   };
   for (const bool shadow : {true, false}) {
-    const auto [root, box] = add_blas(out, stored.merged[shadow ? 0 : 1], threads);
+    const auto [root, box] =
+        add_blas(out, stored.merged[shadow ? 0 : 1], threads, mesh_stack,
+                 find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]));
     place(root, box, {glm::dmat4(1.0)}, shadow);
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(stored.instanced.size());
@@ -205,7 +245,7 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
   reserve_memory(out, scene, meshes, placement);
   const StoredMeshes stored = store_triangles(out, scene, meshes, filter, placement, threads);
   if (meshes.close) meshes.close();
-  add_hierarchies(out, scene, stored, placement, threads);
+  add_hierarchies(out, scene, meshes, stored, placement, threads);
   out.dropped_instances += placement.dropped();
   out.triangles.release_pages();
 }

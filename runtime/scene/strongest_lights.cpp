@@ -5,10 +5,12 @@
 #include <cstring>
 #include <functional>
 
-#include "runtime/scene/bounds.h"
+#include "formats/hierarchy/bounds.h"
 
 namespace nightcity::scene {
 namespace {
+
+using hierarchy::Float4;
 
 // A shader, whose rounding differs from ours, may confuse strengths whose ratio is below this.
 constexpr float min_gap = 1.0001f;

@@ -4,27 +4,96 @@
 
 namespace nightcity::scene {
 
-void TriangleList::copy(std::size_t first, std::span<gpu::Triangle> to) const {
+void TriangleList::copy_corners(std::size_t first, std::span<hierarchy::Corners> to) const {
   if (to.empty()) return;
   if (blocks_.empty()) {
-    std::copy_n(stored_.begin() + static_cast<std::ptrdiff_t>(first), to.size(), to.begin());
+    std::transform(stored_.begin() + static_cast<std::ptrdiff_t>(first),
+                   stored_.begin() + static_cast<std::ptrdiff_t>(first + to.size()), to.begin(),
+                   corners_of);
     return;
   }
   std::size_t number = block_at_[first / indexed], done = 0;
   while (done < to.size()) {
     const Block& block = blocks_[number++];
     for (std::size_t i = first + done; i < block.end && done < to.size(); ++i)
-      to[done++] =
-          block.is_mapped ? block.make(i - block.first) : stored_[block.stored + i - block.first];
+      to[done++] = block.is_mapped ? block.corners(i - block.first)
+                                   : corners_of(stored_[block.stored + i - block.first]);
   }
+}
+
+// Calls use(i, triangle) for each of these triangles, in their order: `stored` with a triangle, or
+// `mapped` with its block and vertices. They lie anywhere in the file, so the memory of some is
+// asked for before the first of them is used; `fetch` asks for more of a block's vertex.
+template <class Fetch, class Stored, class Mapped>
+void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, Stored stored,
+                         Mapped mapped) const {
+  constexpr std::size_t at_once = 32;
+  struct Found {
+    const Block* block;  // null: it is stored
+    std::array<std::uint32_t, 3> corners;
+    std::size_t place;
+  };
+  std::array<Found, at_once> found;
+  const Block* block = nullptr;
+  for (std::size_t begin = 0; begin < numbers.size(); begin += at_once) {
+    const std::size_t count = std::min(at_once, numbers.size() - begin);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t number = numbers[begin + k];
+      Found& f = found[k];
+      f.block = nullptr;
+      f.place = number;
+      if (!blocks_.empty()) {
+        if (!block || number < block->first || number >= block->end) block = &block_of(number);
+        f.place = block->stored + number - block->first;
+        if (block->is_mapped) f.block = block;
+      }
+      if (!f.block) {
+        __builtin_prefetch(&stored_[f.place]);
+        continue;
+      }
+      f.corners = block->mapped.corners(number - block->first);
+      for (const std::uint32_t corner : f.corners)
+        __builtin_prefetch(block->mapped.positions.first + corner * block->mapped.positions.stride);
+      fetch(block->mapped, f.corners[0]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (found[k].block)
+        mapped(begin + k, *found[k].block, found[k].corners);
+      else
+        stored(begin + k, stored_[found[k].place]);
+    }
+  }
+}
+
+void TriangleList::measure(std::span<const std::uint32_t> numbers,
+                           std::span<hierarchy::Bounds> to) const {
+  visit(
+      numbers, [](const MappedPrimitive&, std::uint32_t) {},
+      [&](std::size_t i, const gpu::Triangle& triangle) { to[i] = corners_of(triangle).bounds(); },
+      [&](std::size_t i, const Block& block, const std::array<std::uint32_t, 3>& corners) {
+        to[i] = block.corners(corners).bounds();
+      });
+}
+
+void TriangleList::gather(std::span<const std::uint32_t> numbers,
+                          std::span<gpu::Triangle> to) const {
+  visit(
+      numbers,
+      [](const MappedPrimitive& primitive, std::uint32_t vertex) {
+        for (const MappedPrimitive::Array& ids : {primitive.features, primitive.lights})
+          if (ids.first) __builtin_prefetch(ids.first + vertex * ids.stride);
+      },
+      [&](std::size_t i, const gpu::Triangle& triangle) { to[i] = triangle; },
+      [&](std::size_t i, const Block& block, const std::array<std::uint32_t, 3>& corners) {
+        to[i] = block.make(corners);
+      });
 }
 
 gpu::TextureCorners TriangleList::texture_corners(std::size_t i) const {
   if (!blocks_.empty()) {
-    std::size_t block = block_at_[i / indexed];
-    while (i >= blocks_[block].end) ++block;
-    if (blocks_[block].is_mapped) return without_texture;
-    i = blocks_[block].stored + i - blocks_[block].first;
+    const Block& block = block_of(i);
+    if (block.is_mapped) return without_texture;
+    i = block.stored + i - block.first;
   }
   return i < corners_.size() ? corners_[i] : without_texture;
 }
@@ -37,28 +106,36 @@ void TriangleList::append(std::span<const gpu::Triangle> triangles,
     corners_.insert(corners_.end(), corners.begin(), corners.end());
   }
   if (!blocks_.empty()) {
-    if (blocks_.back().is_mapped)
-      blocks_.push_back({size_, size_ + triangles.size(), false, false, stored_.size(), {}, {}});
-    else
+    if (blocks_.back().is_mapped) {
+      append(Block{size_, size_ + triangles.size(), false, false, stored_.size(), {}, {}});
+    } else {
       blocks_.back().end += triangles.size();
+      ends_.back() = blocks_.back().end;
+      index_blocks();
+    }
   }
   stored_.insert(stored_.end(), triangles.begin(), triangles.end());
   size_ += triangles.size();
-  while (!blocks_.empty() && block_at_.size() * indexed < size_)
-    block_at_.push_back(static_cast<std::uint32_t>(blocks_.size() - 1));
 }
 
-void TriangleList::append(const MappedPrimitive& primitive, const glm::dmat4& to_scene) {
-  if (blocks_.empty() && size_ > 0) {
-    blocks_.push_back({0, size_, false, false, 0, {}, {}});
-    block_at_.resize((size_ + indexed - 1) / indexed);
-  }
+void TriangleList::append(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
+                          std::uint32_t light, std::uint32_t feature) {
+  if (blocks_.empty() && size_ > 0) append(Block{0, size_, false, false, 0, {}, {}});
   glm::dmat4 moved(1.0);
   moved[3] = to_scene[3];
-  blocks_.push_back(
-      {size_, size_ + primitive.triangles, true, moved == to_scene, 0, primitive, to_scene});
+  append(Block{size_, size_ + primitive.triangles, true, moved == to_scene, 0, primitive, to_scene,
+               light, feature});
   size_ += primitive.triangles;
-  while (block_at_.size() * indexed < size_)
+}
+
+void TriangleList::append(const Block& block) {
+  blocks_.push_back(block);
+  ends_.push_back(block.end);
+  index_blocks();
+}
+
+void TriangleList::index_blocks() {
+  while (block_at_.size() * indexed < ends_.back())
     block_at_.push_back(static_cast<std::uint32_t>(blocks_.size() - 1));
 }
 

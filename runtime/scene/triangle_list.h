@@ -16,9 +16,10 @@
 #include <utility>
 #include <vector>
 
+#include "formats/hierarchy/triangle_pieces.h"
+#include "formats/large_vector.h"
 #include "formats/mapped_primitive.h"
 #include "formats/scene_bytes.h"
-#include "runtime/scene/large_vector.h"
 #include "shaders/bvh_types.h"
 #include "shaders/scene_types.h"
 
@@ -37,19 +38,22 @@ class TriangleList {
   /// `i` < size().
   gpu::Triangle operator[](std::size_t i) const {
     if (blocks_.empty()) return stored_[i];
-    std::size_t block = block_at_[i / indexed];
-    while (i >= blocks_[block].end) ++block;
-    const Block& at = blocks_[block];
+    const Block& at = block_of(i);
     return at.is_mapped ? at.make(i - at.first) : stored_[at.stored + i - at.first];
   }
   Iterator begin() const;
   Iterator end() const;
+  /// Measures the boxes of these triangles, of which `to` has as many.
+  void measure(std::span<const std::uint32_t> numbers, std::span<hierarchy::Bounds> to) const;
+  /// Copies these triangles, of which `to` has as many. It is faster than one by one, where they lie
+  /// anywhere.
+  void gather(std::span<const std::uint32_t> numbers, std::span<gpu::Triangle> to) const;
   /// Returns whether some triangle has texture coordinates.
   bool has_texture_corners() const { return !corners_.empty(); }
   /// Returns the texture coordinates of a triangle, without_texture where it has none.
   gpu::TextureCorners texture_corners(std::size_t i) const;
-  /// Copies the triangles from `first` on.
-  void copy(std::size_t first, std::span<gpu::Triangle> to) const;
+  /// Copies the corners of the triangles from `first` on.
+  void copy_corners(std::size_t first, std::span<hierarchy::Corners> to) const;
 
   /// Makes room for so many triangles that are stored. Room that is not used takes no memory.
   void reserve(std::size_t count) { stored_.reserve(count); }
@@ -58,8 +62,10 @@ class TriangleList {
   void append(std::span<const gpu::Triangle> triangles,
               std::span<const gpu::TextureCorners> corners = {});
   /// Appends the triangles of a primitive, which lie in files that keep() is given.
-  /// `to_scene` leads from its frame to that of the scene.
-  void append(const MappedPrimitive& primitive, const glm::dmat4& to_scene);
+  /// `to_scene` leads from its frame to that of the scene. `light` and `feature` go before those of
+  /// its vertices, unless they are NO_HIT.
+  void append(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
+              std::uint32_t light = NO_HIT, std::uint32_t feature = NO_HIT);
 
   /// Holds the files that mapped primitives lie in as long as the list or a copy of it lives.
   void keep(std::shared_ptr<const SceneBytes> files) { files_ = std::move(files); }
@@ -80,6 +86,9 @@ class TriangleList {
   }
 
  private:
+  static hierarchy::Corners corners_of(const gpu::Triangle& t) {
+    return {hierarchy::to_float4(t.v0), hierarchy::to_float4(t.v1), hierarchy::to_float4(t.v2)};
+  }
   // Consecutive triangles, from `first` to before `end`.
   struct Block {
     std::size_t first, end;
@@ -88,13 +97,20 @@ class TriangleList {
     std::size_t stored;  // the first one's place, where they are stored
     MappedPrimitive mapped;
     glm::dmat4 to_scene;
+    std::uint32_t light = NO_HIT, feature = NO_HIT;  // of the whole block
 
     // Returns triangle `i` of a mapped block.
-    gpu::Triangle make(std::size_t i) const {
-      const std::array<std::uint32_t, 3> corners = mapped.corners(i);
-      const std::uint32_t first = corners[0];
-      return {place(first),          mapped.material,   place(corners[1]),
-              mapped.feature(first), place(corners[2]), mapped.light(first)};
+    gpu::Triangle make(std::size_t i) const { return make(mapped.corners(i)); }
+    hierarchy::Corners corners(std::size_t i) const { return corners(mapped.corners(i)); }
+    // The same by its vertices.
+    gpu::Triangle make(const std::array<std::uint32_t, 3>& at) const {
+      return {place(at[0]), mapped.material,
+              place(at[1]), feature != NO_HIT ? feature : mapped.feature(at[0]),
+              place(at[2]), light != NO_HIT ? light : mapped.light(at[0])};
+    }
+    hierarchy::Corners corners(const std::array<std::uint32_t, 3>& at) const {
+      return {hierarchy::to_float4(place(at[0])), hierarchy::to_float4(place(at[1])),
+              hierarchy::to_float4(place(at[2]))};
     }
     glm::vec3 place(std::uint32_t vertex) const {
       const glm::dvec3 p(mapped.position(vertex));
@@ -104,9 +120,23 @@ class TriangleList {
   };
   static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_
 
+  void append(const Block& block);
+  // Notes where triangles lie that the last block has been given.
+  void index_blocks();
+  // There must be blocks.
+  const Block& block_of(std::size_t i) const {
+    std::size_t block = block_at_[i / indexed];
+    while (i >= ends_[block]) ++block;
+    return blocks_[block];
+  }
+  template <class Fetch, class Stored, class Mapped>
+  void visit(std::span<const std::uint32_t> numbers, Fetch fetch, Stored stored,
+             Mapped mapped) const;
+
   LargeVector<gpu::Triangle> stored_;
   LargeVector<gpu::TextureCorners> corners_;  // of the first of these; the others have none
   std::vector<Block> blocks_;                 // none: all are stored
+  std::vector<std::size_t> ends_;             // of blocks_, so that a search reads little memory
   std::vector<std::uint32_t> block_at_;       // of triangle i * indexed
   std::size_t size_ = 0;
   std::shared_ptr<const SceneBytes> files_;

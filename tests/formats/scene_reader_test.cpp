@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -141,6 +143,73 @@ TEST(SceneReader, RefusesDocumentsThatContradictThemselves) {
   refused([](json& d) { d["scenes"][0]["nodes"] = {0, 0}; });
   refused([](json& d) { d["scene"] = 4; });
   refused([](json& d) { d["materials"] = {{{"emissiveFactor", {1, 1, -1}}}}; });
+}
+
+// Two features, of which the square is the second; `change` changes the file.
+json square_in_place(const std::function<void(json&)>& change = [](json&) {}) {
+  json document = foreign();
+  json& primitive = document["meshes"][0]["primitives"][0];
+  primitive["mode"] = 4;
+  const auto add = [&](const char* name, const std::string& data, int type, std::size_t count) {
+    document["accessors"].push_back({{"bufferView", test::add_view(document, data)},
+                                     {"componentType", type},
+                                     {"count", count},
+                                     {"type", "SCALAR"}});
+    const std::size_t index = document["accessors"].size() - 1;
+    if (std::string(name) == "indices")
+      primitive["indices"] = index;
+    else
+      primitive["attributes"][name] = index;
+  };
+  add("indices", bytes_of<std::uint16_t>({0, 1, 2, 0, 2, 3}), 5123, 6);
+  add("_FEATURE_ID_0", bytes_of<float>({1, 1, 1, 1}), 5126, 4);
+  add("_LIGHT", bytes_of<float>({5, -1, 5, 5}), 5126, 4);
+  change(document);
+  return document;
+}
+
+// Whatever read_mesh refuses or has to convert is not read in place.
+TEST(SceneReader, MapsMeshesThatAreFitAndNoOthers) {
+  const TempFolder folder;
+  const auto map = [&](const json& document) {
+    test::write_text(folder / "file.gltf", document.dump());
+    return SceneFile(folder / "file.gltf").map_mesh(0).has_value();
+  };
+  const auto replace = [](const char* attribute, const std::string& data) {
+    return [attribute, data](json& document) {
+      json& primitive = document["meshes"][0]["primitives"][0];
+      const std::size_t accessor = std::string(attribute) == "indices"
+                                       ? primitive["indices"].get<std::size_t>()
+                                       : primitive["attributes"][attribute].get<std::size_t>();
+      document["accessors"][accessor]["bufferView"] = test::add_view(document, data);
+    };
+  };
+  EXPECT_TRUE(map(square_in_place()));
+  SceneFile file(folder / "file.gltf");
+  const auto mapped = file.map_mesh(0);
+  ASSERT_TRUE(mapped);
+  ASSERT_EQ(mapped->size(), 1u);
+  const MappedPrimitive& square = *(*mapped)[0];
+  EXPECT_EQ(square.triangles, 2u);
+  EXPECT_EQ(square.corners(1), (std::array<std::uint32_t, 3>{0, 2, 3}));
+  EXPECT_EQ(square.light(0), 5u);
+  EXPECT_EQ(square.light(1), no_id);
+
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const auto& change : std::vector<std::function<void(json&)>>{
+           replace("indices", bytes_of<std::uint16_t>({0, 1, 2, 0, 2, 4})),
+           replace("POSITION", bytes_of<float>({0, 0, 0, 1, 0, nan, 0, 1, 0, 1, 1, 0})),
+           replace("_LIGHT", bytes_of<float>({0, 0, 0, 1e7f})),
+           replace("_LIGHT", bytes_of<float>({0, 0, nan, 0})),
+           [](json& document) { document["accessors"][3]["count"] = 3; },  // of features
+           [](json& document) { document["meshes"][0]["primitives"][0]["material"] = 0; }}) {
+    const json document = square_in_place(change);
+    EXPECT_FALSE(map(document));
+    EXPECT_NE(test::refusal(document), "");
+  }
+  const json uncut = square_in_place([](json& document) { document["accessors"][2]["count"] = 5; });
+  EXPECT_FALSE(map(uncut)) << "the last two corners are no triangle";
+  EXPECT_FALSE(map(foreign())) << "a strip";
 }
 
 TEST(SceneReader, SurvivesNestingAndChainsOfAMillion) {

@@ -20,6 +20,7 @@
 #include "tools/bake/report/report_text.h"
 #include "tools/bake/report/stage_clock.h"
 #include "tools/bake/scene/bridge_models.h"
+#include "tools/bake/scene/hierarchies.h"
 #include "tools/bake/scene/horizon_model.h"
 #include "tools/bake/scene/scene_tiles.h"
 #include "tools/bake/scene/tree_models.h"
@@ -86,6 +87,8 @@ class Bake {
     report_.places = std::move(places.report);
     clock_.end_stage("places");
     scene_.finish(georeference, places.places);
+    clock_.end_stage("writing city.glb");
+    store_hierarchies();
     write_report();
     output_.commit();
     return std::move(report_);
@@ -227,11 +230,17 @@ class Bake {
     clock_.end_stage("writing city.lights");
   }
 
+  void store_hierarchies() {
+    if (!options_.stores_hierarchies) return;
+    begin_step("building hierarchies");
+    report_.hierarchies = add_hierarchies(scene_path_, lights_path_, options_.tiles.threads);
+    clock_.end_stage("hierarchies");
+  }
+
   void write_report() {
     report_.scene = scene_.statistics();
     report_.scene_bytes = find_size(scene_path_);
     report_.lights_bytes = find_size(lights_path_);
-    clock_.end_stage("writing city.glb");
     report_.stages = clock_.stages();
     AtomicFile file(output_.staged("bake_report.json"));
     file.write(to_json(report_).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +

@@ -51,6 +51,7 @@ BakeOptions to_bake_options(const Recipe& recipe) {
   options.lights = {recipe.lamps,           recipe.map_lights,  recipe.night.minute,
                     recipe.output.punctual, recipe.city.tile_m, recipe.lights.edits};
   options.windows = recipe.windows;
+  options.stores_hierarchies = recipe.output.hierarchies;
   options.makes_traffic = recipe.traffic.is_made;
   options.traffic = recipe.traffic.options;
   return options;

@@ -18,6 +18,7 @@ struct BakeOptions {
   LightStageOptions lights;
   WindowStageOptions windows;
   bool makes_traffic = false;
+  bool stores_hierarchies = true;
   traffic::TrafficOptions traffic;
 
   /// Returns whether lamps or traffic follow streets: then a map without streets needs the model's.

@@ -79,13 +79,19 @@ TEST(LoadRenderScene, GivesTheTrianglesThatReadSceneHas) {
   writer.add_node({"a", "road", writer.add_mesh({"a", {field(300), field(7, 1)}}), true, {moved}});
   writer.add_node({"b", "road", writer.add_mesh({"b", {flat, field(9)}}), false, {turned}});
   writer.add_node({"c", "lamp", writer.add_mesh({"c", {square(2)}}), true, {moved, turned}});
+  // Copies that are lights, or objects of their own, are read in place as well.
+  moved.light = 3;
+  turned.feature = writer.add_feature({.id = "d"});
+  writer.add_node({"d", "lamp", writer.add_mesh({"d", {field(10)}}), true, {moved, turned}});
   writer.finish({});
 
-  const scene::RenderScene loaded = scene::load_render_scene(folder / "a.glb"),
-                           made = scene::make_render_scene(read_scene(folder / "a.glb"), {});
+  scene::RenderScene loaded = scene::load_render_scene(folder / "a.glb"),
+                     made = scene::make_render_scene(read_scene(folder / "a.glb"), {});
   EXPECT_EQ(loaded.dropped_triangles, 1u);
   EXPECT_EQ(made.dropped_triangles, 1u);
-  ASSERT_EQ(loaded.triangles.size(), 2 * (300 + 7 + 40 + 9 + 2) - 1u) << "two copies of c";
+  ASSERT_EQ(loaded.triangles.size(), 2 * (300 + 7 + 40 + 9 + 2 + 20) - 1u)
+      << "two copies of c and d";
+  EXPECT_EQ(loaded.triangles.stored().size(), 2 * (40 + 2) - 1u) << "of b and c";
   ASSERT_EQ(loaded.triangles.size(), made.triangles.size());
   for (std::size_t i = 0; i < made.triangles.size(); ++i) {
     const gpu::Triangle a = loaded.triangles[i], b = made.triangles[i];

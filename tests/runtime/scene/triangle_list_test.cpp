@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <glm/ext/matrix_transform.hpp>
 #include <limits>
+#include <numeric>
+#include <random>
 #include <vector>
 
 namespace nightcity::scene {
@@ -109,10 +112,31 @@ TEST(TriangleList, FindsTrianglesInBlocksOfBothKinds) {
   std::size_t at = 0;
   for (const gpu::Triangle& triangle : list) ASSERT_TRUE(same(triangle, expected[at++])) << at;
   for (const std::size_t first : {std::size_t{0}, std::size_t{1}, std::size_t{4711}}) {
-    std::vector<gpu::Triangle> copied(list.size() - first - 3);
-    list.copy(first, copied);
+    std::vector<hierarchy::Corners> copied(list.size() - first - 3);
+    list.copy_corners(first, copied);
     for (std::size_t i = 0; i < copied.size(); ++i)
-      ASSERT_TRUE(same(copied[i], expected[first + i])) << i;
+      for (int axis = 0; axis < 3; ++axis) {
+        ASSERT_EQ(copied[i].v0[axis], expected[first + i].v0[axis]) << i;
+        ASSERT_EQ(copied[i].v1[axis], expected[first + i].v1[axis]) << i;
+        ASSERT_EQ(copied[i].v2[axis], expected[first + i].v2[axis]) << i;
+      }
+  }
+  std::vector<std::uint32_t> numbers(list.size());
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  std::shuffle(numbers.begin(), numbers.end(), std::mt19937(1));
+  std::vector<gpu::Triangle> gathered(numbers.size());
+  std::vector<hierarchy::Bounds> measured(numbers.size());
+  list.gather(numbers, gathered);
+  list.measure(numbers, measured);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const gpu::Triangle& triangle = expected[numbers[i]];
+    ASSERT_TRUE(same(gathered[i], triangle)) << i;
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_EQ(measured[i].lower[axis],
+                std::min({triangle.v0[axis], triangle.v1[axis], triangle.v2[axis]}));
+      ASSERT_EQ(measured[i].upper[axis],
+                std::max({triangle.v0[axis], triangle.v1[axis], triangle.v2[axis]}));
+    }
   }
   EXPECT_TRUE(list.any_material([](std::uint32_t material) { return material == 58; }));
   EXPECT_FALSE(list.any_material([&](std::uint32_t material) { return material == count; }));

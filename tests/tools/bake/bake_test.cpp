@@ -704,6 +704,43 @@ TEST(Bake, EditsOfLightsAreBakedIn) {
   EXPECT_THROW(bake(recipe, folder / "edited"), Error);
 }
 
+// The rest of the file is the same, and what a hierarchy says of itself is true.
+TEST(Bake, HierarchiesOfAllThatStandsStillAreStoredUnlessARecipeSaysNo) {
+  const TempFolder folder;
+  write_text(folder / "city.gml", sample_gml());
+  Recipe recipe = make_recipe({folder / "city.gml"});
+  const BakeReport with = bake(recipe, folder / "with");
+  recipe.output.hierarchies = false;
+  const BakeReport without = bake(recipe, folder / "without");
+  EXPECT_EQ(without.hierarchies.triangles, 0u);
+  EXPECT_EQ(with.hierarchies.triangles, with.scene.triangles) << "no node has instances";
+  EXPECT_GT(with.hierarchies.nodes, with.hierarchies.triangles / 16);
+  EXPECT_TRUE(SceneFile(folder / "without/city.glb").hierarchies().empty());
+  const SceneFile file(folder / "with/city.glb");
+  ASSERT_EQ(file.hierarchies().size(), 1u);
+  const StoredHierarchy& stored = file.hierarchies()[0];
+  EXPECT_EQ(stored.triangles, with.hierarchies.triangles);
+  EXPECT_EQ(stored.topology.size() + stored.order.size(), with.hierarchies.bytes);
+  const Scene scene = read_scene(folder / "with/city.glb"),
+              bare = read_scene(folder / "without/city.glb");
+  EXPECT_EQ(scene.skipped, bare.skipped);
+  ASSERT_EQ(scene.meshes.size(), bare.meshes.size());
+  glm::vec3 lower(1e30f), upper(-1e30f);
+  for (const SceneNode& node : scene.nodes)
+    for (std::size_t i = 0; i < scene.meshes[node.mesh].primitives.size(); ++i) {
+      const ScenePrimitive& primitive = scene.meshes[node.mesh].primitives[i];
+      EXPECT_EQ(primitive.indices, bare.meshes[node.mesh].primitives[i].indices);
+      EXPECT_EQ(primitive.positions, bare.meshes[node.mesh].primitives[i].positions);
+      for (const glm::vec3& p : primitive.positions) {
+        const glm::vec3 place(to_double(node.instances[0]) * glm::dvec4(p, 1));
+        lower = glm::min(lower, place);
+        upper = glm::max(upper, place);
+      }
+    }
+  EXPECT_EQ(stored.lower, lower);
+  EXPECT_EQ(stored.upper, upper);
+}
+
 TEST(Bake, OneThreadAndManyGiveTheSameBytes) {
   REAL_DATA(first, "berlin/3910_5820.gml");
   REAL_DATA(second, "berlin/3900_5820.gml");

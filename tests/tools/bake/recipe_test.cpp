@@ -26,6 +26,7 @@ TEST(Recipe, TwoKeysSufficeAndPathsAreRelativeToIt) {
   EXPECT_EQ(recipe.osm.files, (std::vector<std::filesystem::path>{folder / "m.osm.pbf"}));
   EXPECT_EQ(recipe.city.tile_m, 250);
   EXPECT_FALSE(recipe.output.draco);
+  EXPECT_TRUE(recipe.output.hierarchies);
   EXPECT_NE(recipe.osm.licence.find("ODbL"), std::string::npos);
 }
 
@@ -63,6 +64,7 @@ time = "01:30"
 [output]
 draco = true
 draco_tolerance_m = 0.001
+hierarchies = false
 punctual = 50
 )");
   EXPECT_EQ(recipe.city.frame.crs_override, "EPSG:25833");
@@ -97,6 +99,7 @@ punctual = 50
   EXPECT_TRUE(recipe.lamps.luminaires[1].take_flux);
   EXPECT_EQ(recipe.output.punctual, 50u);
   EXPECT_TRUE(recipe.output.draco);
+  EXPECT_FALSE(recipe.output.hierarchies);
   EXPECT_EQ(recipe.output.draco_tolerance_m, 0.001);
 }
 

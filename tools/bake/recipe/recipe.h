@@ -86,6 +86,8 @@ struct Recipe {
   struct Output {
     bool draco = false;
     double draco_tolerance_m = 0.01;
+    /// city.glb holds the hierarchies of its static triangles.
+    bool hierarchies = true;
     /// Number of lights to copy into city.glb as KHR_lights_punctual, brightest first.
     std::size_t punctual = 0;
   } output;

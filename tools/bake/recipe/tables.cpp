@@ -225,6 +225,10 @@ Table make_output_table(bake::Recipe::Output& output) {
            number_key("draco_tolerance_m", output.draco_tolerance_m, {1e-5, 10}, "m",
                       "With `draco`: the largest distance that a vertex may move. Windows stand "
                       "0.02 m before their walls: with more than that, walls hide some."),
+           flag_key("hierarchies", output.hierarchies,
+                    "Stores which triangles lie together in the hierarchies that rays traverse "
+                    "(`NIGHTCITY_hierarchy`), so that nightview need not build them: it opens the "
+                    "city in less time. Other programs do not read them."),
            integer_key("punctual", output.punctual, 0, 1'000'000,
                        "Copies this many of the lights that are brightest at `[night] time` into "
                        "`city.glb` as `KHR_lights_punctual`, for programs that do not read "

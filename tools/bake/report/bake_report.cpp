@@ -184,6 +184,10 @@ std::string outputs_in_words(const BakeReport& report) {
   if (scene.max_draco_bits)
     text += report_line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m",
                                         scene.max_draco_bits, scene.max_draco_error_m));
+  if (const HierarchyReport& hierarchies = report.hierarchies; hierarchies.triangles > 0)
+    text += report_line(
+        "", fmt::format("hierarchies of {} triangles: {} nodes, {:.1f} MB", hierarchies.triangles,
+                        hierarchies.nodes, static_cast<double>(hierarchies.bytes) / 1e6));
   return text +
          report_line("city.lights", fmt::format("{:.1f} kB, {} schedules",
                                                 static_cast<double>(report.lights_bytes) / 1e3,
@@ -278,7 +282,11 @@ json to_json(const BakeReport& report) {
         {"features", scene.features},
         {"bytes", report.scene_bytes},
         {"draco_bits", scene.max_draco_bits},
-        {"draco_error_m", scene.max_draco_error_m}}},
+        {"draco_error_m", scene.max_draco_error_m},
+        {"hierarchies",
+         {{"triangles", report.hierarchies.triangles},
+          {"nodes", report.hierarchies.nodes},
+          {"bytes", report.hierarchies.bytes}}}}},
       {"lights", {{"bytes", report.lights_bytes}, {"schedules", report.lights.schedules}}},
       {"seconds", seconds},
       {"peak_mb", peak_mb},

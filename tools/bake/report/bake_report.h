@@ -38,6 +38,7 @@ struct BakeReport {
   LightsReport lights;
   std::optional<traffic::TrafficReport> traffic;
   SceneWriter::Statistics scene;
+  HierarchyReport hierarchies;
   std::vector<std::string> crs;  // descriptions of the frames
   std::uint64_t scene_bytes = 0, lights_bytes = 0, input_bytes = 0;
   std::vector<StageCost> stages;  // in order

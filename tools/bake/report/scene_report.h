@@ -30,6 +30,12 @@ struct SceneTilesReport {
   std::size_t draped = 0;  // triangles that were published without heights and put onto the ground
 };
 
+/// The hierarchies that city.glb holds; zeros where it holds none.
+struct HierarchyReport {
+  std::size_t triangles = 0, nodes = 0;
+  std::uint64_t bytes = 0;
+};
+
 /// The ground beyond the city's own.
 struct HorizonReport {
   std::size_t rings = 0;      // round the ground

@@ -5,10 +5,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <glm/vec3.hpp>
 
-#include "runtime/scene/box.h"
-
-namespace nightcity::scene {
+namespace nightcity::hierarchy {
 
 using Float4 = float __attribute__((vector_size(16)));
 
@@ -36,6 +35,10 @@ inline Float4 load_vec3(const std::byte* bytes) {
   return take_xyz(bits);
 }
 
+inline Float4 to_float4(const glm::vec3& p) {
+  return Float4{p.x, p.y, p.z, 0};
+}
+
 struct Bounds {
   Float4 lower{3.4e38f, 3.4e38f, 3.4e38f, 0}, upper{-3.4e38f, -3.4e38f, -3.4e38f, 0};
 
@@ -53,17 +56,6 @@ struct Bounds {
     const Float4 s = upper - lower;
     return s[0] * s[1] + s[1] * s[2] + s[2] * s[0];
   }
-  Box to_box() const {
-    Box box;
-    box.lower = {lower[0], lower[1], lower[2]};
-    box.upper = {upper[0], upper[1], upper[2]};
-    return box;
-  }
 };
 
-inline Bounds to_bounds(const Box& box) {
-  return {Float4{box.lower.x, box.lower.y, box.lower.z, 0},
-          Float4{box.upper.x, box.upper.y, box.upper.z, 0}};
-}
-
-}  // namespace nightcity::scene
+}  // namespace nightcity::hierarchy

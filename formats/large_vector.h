@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace nightcity::scene {
+namespace nightcity {
 
 /// Does not write to new elements: the threads that fill them also take their memory, and no core
 /// fills it with zeros first. The memory of large vectors is of huge pages, where the system has
@@ -49,4 +49,4 @@ struct LargeAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
-}  // namespace nightcity::scene
+}  // namespace nightcity

@@ -1,4 +1,4 @@
-#include "runtime/scene/small_split.h"
+#include "formats/hierarchy/small_split.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace nightcity::scene {
+namespace nightcity::hierarchy {
 namespace {
 
 struct Weighted {
@@ -80,4 +80,4 @@ TEST(SmallSplit, BoxesWhoseAreaIsNoFloatAreSplit) {
 }
 
 }  // namespace
-}  // namespace nightcity::scene
+}  // namespace nightcity::hierarchy

@@ -9,22 +9,37 @@
 #include <span>
 #include <utility>
 
-#include "runtime/scene/bounds.h"
-#include "runtime/scene/bvh.h"
-#include "runtime/scene/bvh_node.h"
-#include "runtime/scene/large_vector.h"
-#include "runtime/scene/small_split.h"
+#include "formats/hierarchy/bounds.h"
+#include "formats/hierarchy/child.h"
+#include "formats/hierarchy/small_split.h"
+#include "formats/large_vector.h"
 
-namespace nightcity::scene {
+namespace nightcity::hierarchy {
+
+/// Returns the deferred entries that a hierarchy of object medians over `boxes` boxes needs: the
+/// smallest stack that a builder can keep to.
+constexpr std::uint32_t find_needed_stack(std::size_t boxes, std::uint32_t max_leaf) {
+  std::uint32_t need = 0;
+  for (; boxes > max_leaf; boxes = (boxes + 3) / 4) need += 3;
+  return need;
+}
+
+/// A child of a node, as the builder has measured it.
+struct MeasuredChild {
+  Bounds box;
+  std::uint32_t mask = 0;  // of all primitives
+};
 
 /// Builds the nodes over `primitives`, and brings these into the leaves' order. Access says what an
 /// Access::Primitive p is: bounds_of(p), weight_of(p) (entries of a leaf, at most max_weight),
-/// mask_of(p) (MASK_* bits; has_masks: they differ) and, where two centres are equal, precedes(p,
-/// q), so that the same input gives the same BVH everywhere. Several threads may build different
-/// ranges at the same time.
-template <class Access>
-class BvhBuilder {
+/// mask_of(p) (bits that a node tells of all below it), casts_shadow(p) and, where two centres are
+/// equal, precedes(p, q), so that the same input gives the same hierarchy everywhere. Nodes::Node
+/// has four numbers `child` (child.h), and Nodes::make(box, children) returns one in which these
+/// are left open. Several threads may build different ranges at the same time.
+template <class Access, class Nodes>
+class Builder {
  public:
+  using Node = typename Nodes::Node;
   using Primitive = typename Access::Primitive;
   /// Consecutive primitives.
   struct Range {
@@ -42,7 +57,7 @@ class BvhBuilder {
   };
 
   /// A leaf has at most `max_leaf` entries, twice the weight of a primitive or more.
-  BvhBuilder(std::span<Primitive> primitives, std::uint32_t max_leaf)
+  Builder(std::span<Primitive> primitives, std::uint32_t max_leaf)
       : primitives_(primitives), max_leaf_(max_leaf) {}
 
   /// Returns the primitives from `begin` on, whose entries in leaves are those from `first` on.
@@ -57,22 +72,20 @@ class BvhBuilder {
       r.centres.grow(box.centre());
       r.weight += Access::weight_of(primitives_[i]);
       r.mask |= Access::mask_of(primitives_[i]);
-      r.casting += casts_shadow(primitives_[i]);
+      r.casting += Access::casts_shadow(primitives_[i]);
     }
     return r;
   }
 
   bool is_leaf(const Range& r) const { return r.weight <= max_leaf_; }
-  std::uint32_t make_leaf(const Range& r) const {
-    return BVH_LEAF | ((r.weight - 1) << BVH_LEAF_COUNT_SHIFT) | r.first;
-  }
+  std::uint32_t make_leaf(const Range& r) const { return hierarchy::make_leaf(r.first, r.weight); }
 
   /// Splits a range that is no leaf into up to four, the largest first, as shadow rays visit them:
   /// a larger child is likelier to end them. Its own node has room for `stack` deferred entries.
   Children split_in_four(const Range& r, std::uint32_t stack) {
     // A child may get nearly everything. Where the stack is too small for that, all four get
     // equally many.
-    const bool median = needed_stack(r.size(), max_leaf_ / Access::max_weight) + 3 > stack;
+    const bool median = find_needed_stack(r.size(), max_leaf_ / Access::max_weight) + 3 > stack;
     Children children{{r}, 1};
     auto& [range, count] = children;
     while (count < 4) {
@@ -98,16 +111,16 @@ class BvhBuilder {
   }
 
   /// Returns the node of a range, without the indices of its children.
-  static gpu::BvhNode make_node(const Range& r, const Children& children) {
-    std::array<BvhChild, 4> quantised;
+  static Node make_node(const Range& r, const Children& children) {
+    std::array<MeasuredChild, 4> measured;
     for (std::size_t i = 0; i < children.count; ++i)
-      quantised[i] = {children.range[i].box.to_box(), children.range[i].mask};
-    return quantise_node(r.box.to_box(), std::span(quantised.data(), children.count));
+      measured[i] = {children.range[i].box, children.range[i].mask};
+    return Nodes::make(r.box, std::span<const MeasuredChild>(measured.data(), children.count));
   }
 
   /// Appends the nodes of a range and returns its root. `stack_need` gets the entries that a ray
   /// may have to defer, at most `stack`.
-  std::uint32_t build(const Range& r, std::uint32_t stack, LargeVector<gpu::BvhNode>& nodes,
+  std::uint32_t build(const Range& r, std::uint32_t stack, LargeVector<Node>& nodes,
                       std::uint32_t& stack_need) {
     stack_need = 0;
     if (is_leaf(r)) return make_leaf(r);
@@ -162,13 +175,11 @@ class BvhBuilder {
     std::size_t bin = 0;  // of the right half's first
   };
 
-  static bool casts_shadow(const Primitive& p) { return (Access::mask_of(p) & MASK_SHADOW) != 0; }
-
   std::pair<Range, Range> split(const Range& r, bool median) {
     if (r.mixed() && !median) {  // then no shadow ray tests boxes of what casts none
       const auto begin = primitives_.begin() + r.begin, end = primitives_.begin() + r.end;
-      const auto at =
-          r.begin + static_cast<std::uint32_t>(std::partition(begin, end, casts_shadow) - begin);
+      const auto at = r.begin + static_cast<std::uint32_t>(
+                                    std::partition(begin, end, Access::casts_shadow) - begin);
       return measure_halves(r, at);
     }
     if (!median && r.size() <= max_small_split) return split_few(r);
@@ -294,4 +305,4 @@ class BvhBuilder {
   std::uint32_t max_leaf_;
 };
 
-}  // namespace nightcity::scene
+}  // namespace nightcity::hierarchy

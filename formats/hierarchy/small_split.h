@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/scene/bounds.h"
+#include "formats/hierarchy/bounds.h"
 
-namespace nightcity::scene {
+namespace nightcity::hierarchy {
 
 constexpr std::uint32_t max_small_split = 12;
 
@@ -88,4 +88,4 @@ class SmallSplit {
   std::size_t best_axis_ = 0;
 };
 
-}  // namespace nightcity::scene
+}  // namespace nightcity::hierarchy

@@ -1,0 +1,154 @@
+#include "formats/hierarchy/static_builder.h"
+
+#include <optional>
+#include <utility>
+
+#include "formats/hierarchy/parallel_build.h"
+#include "formats/hierarchy/static_geometry.h"
+#include "formats/hierarchy/triangle_pieces.h"
+#include "formats/scene_reader.h"
+
+namespace nightcity::hierarchy {
+namespace {
+
+glm::vec3 to_vec3(Float4 p) {
+  return {p[0], p[1], p[2]};
+}
+
+// Gathers the pieces of triangles that come one by one.
+class PieceGatherer {
+ public:
+  void add(const Corners& triangle) {
+    chunk_.push_back(triangle);
+    if (chunk_.size() == piece_chunk) cut();
+  }
+  // To be called once, after the last triangle.
+  LargeVector<TrianglePiece> take() {
+    cut();
+    return std::move(pieces_);
+  }
+  std::uint32_t triangles() const { return triangles_; }
+
+ private:
+  void cut() {
+    made_.clear();
+    append_pieces(chunk_, true, triangles_, made_);
+    pieces_.insert(pieces_.end(), made_.begin(), made_.end());
+    triangles_ += static_cast<std::uint32_t>(chunk_.size());
+    chunk_.clear();
+  }
+
+  std::vector<Corners> chunk_;
+  std::vector<TrianglePiece> made_;
+  LargeVector<TrianglePiece> pieces_;
+  std::uint32_t triangles_ = 0;
+};
+
+class SceneTriangles {
+ public:
+  SceneTriangles(const std::filesystem::path& glb, bool has_traffic) : file_(glb) {
+    std::vector<std::size_t> counts;
+    for (std::size_t i = 0; i < file_.mesh_count(); ++i) counts.push_back(file_.count_triangles(i));
+    std::vector<bool> skipped;
+    for (const SceneNode& node : nodes()) skipped.push_back(has_traffic && node.vehicle != no_id);
+    is_static_ = find_static_nodes(nodes(), counts, skipped);
+    for (std::size_t i = 0; i < nodes().size(); ++i) is_static_[i] = is_static_[i] && !skipped[i];
+    units_ = find_units(nodes(), file_.mesh_count());
+  }
+
+  // Gathers the triangles of static nodes in the order in which nightview stores them, and sets the
+  // nodes.
+  LargeVector<TrianglePiece> gather(StoredHierarchy& hierarchy) {
+    PieceGatherer gatherer;
+    for (std::size_t i = 0; i < nodes().size(); ++i) {
+      if (!is_static_[i] || nodes()[i].casts_shadow != hierarchy.casts_shadow) continue;
+      const std::vector<glm::dmat4> placements = find_placements(nodes()[i]);
+      if (placements.empty()) continue;
+      hierarchy.nodes.push_back(nodes()[i].number);
+      for (const ScenePrimitive& primitive : file_.read_mesh(nodes()[i].mesh).primitives)
+        for (const glm::dmat4& to_scene : placements) add(primitive, to_scene, gatherer);
+    }
+    LargeVector<TrianglePiece> pieces = gatherer.take();
+    hierarchy.triangles = gatherer.triangles();
+    return pieces;
+  }
+
+  // Returns how many there are at most.
+  std::size_t count() const {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < nodes().size(); ++i)
+      if (is_static_[i])
+        sum += file_.count_triangles(nodes()[i].mesh) * nodes()[i].instances.size();
+    return sum;
+  }
+
+ private:
+  const std::vector<SceneNode>& nodes() const { return file_.scene().nodes; }
+
+  std::vector<glm::dmat4> find_placements(const SceneNode& node) const {
+    std::vector<glm::dmat4> placements;
+    for (const SceneInstance& instance : node.instances) {
+      const glm::dmat4 to_scene = to_double(instance);
+      if (may_be_flat(node) || keeps_volume(to_scene, units_[node.mesh]))
+        placements.push_back(to_scene);
+    }
+    return placements;
+  }
+
+  static void add(const ScenePrimitive& primitive, const glm::dmat4& to_scene,
+                  PieceGatherer& gatherer) {
+    std::vector<glm::vec3> positions;
+    positions.reserve(primitive.positions.size());
+    for (const glm::vec3& p : primitive.positions) positions.push_back(place(to_scene, p));
+    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+      const glm::vec3 &v0 = positions[primitive.indices[i]],
+                      &v1 = positions[primitive.indices[i + 1]],
+                      &v2 = positions[primitive.indices[i + 2]];
+      if (is_shown(v0, v1, v2)) gatherer.add({to_float4(v0), to_float4(v1), to_float4(v2)});
+    }
+  }
+
+  SceneFile file_;
+  std::vector<bool> is_static_;  // of each node
+  std::vector<double> units_;    // of each mesh
+};
+
+std::optional<BuiltHierarchy> build(SceneTriangles& triangles, bool casts_shadow,
+                                    unsigned threads) {
+  BuiltHierarchy built;
+  built.description.casts_shadow = casts_shadow;
+  LargeVector<TrianglePiece> pieces = triangles.gather(built.description);
+  if (pieces.empty()) return std::nullopt;
+  LargeVector<BareNode> nodes;
+  const Root root =
+      ParallelBuild<PieceAccess<2>, BareNodes>(std::span(pieces), static_leaf, threads, nodes)
+          .build(0, static_stack);
+  LargeVector<std::uint32_t> order;
+  order.reserve(built.description.triangles);
+  for (const TrianglePiece& piece : pieces)
+    for (std::uint32_t i = 0; i < piece.count(); ++i) order.push_back(piece.first() + i);
+  pieces = {};
+  built.description.lower = to_vec3(root.box.lower);
+  built.description.upper = to_vec3(root.box.upper);
+  for (const BareNode& node : nodes) built.description.area_m2 += double(node.area);
+  built.encoded = encode(nodes, root.node, order);
+  return built;
+}
+
+}  // namespace
+
+std::vector<BuiltHierarchy> build_static_hierarchies(const std::filesystem::path& glb,
+                                                     bool has_traffic, unsigned threads) {
+  std::vector<BuiltHierarchy> result;
+  SceneTriangles triangles(glb, has_traffic);
+  if (triangles.count() > leaf_first_mask) return result;
+  for (const bool casts_shadow : {true, false})
+    if (auto built = build(triangles, casts_shadow, threads)) result.push_back(std::move(*built));
+  for (BuiltHierarchy& built : result) {
+    built.description.topology = std::as_bytes(std::span(built.encoded.topology));
+    built.description.order = std::as_bytes(std::span(built.encoded.order));
+  }
+  return result;
+}
+
+}  // namespace nightcity::hierarchy

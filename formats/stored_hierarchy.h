@@ -1,0 +1,24 @@
+// A bounding volume hierarchy of static triangles as a scene file holds it (SPEC.md, 2.6): which
+// triangles lie in which leaf, below which nodes. Boxes are measured by whoever reads it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace nightcity {
+
+/// Nothing of it has been checked but that the arrays lie in the file.
+struct StoredHierarchy {
+  bool casts_shadow = true;
+  std::vector<std::uint32_t> nodes;  // of glTF, whose triangles these are, in their order
+  std::uint32_t triangles = 0;
+  glm::vec3 lower{0}, upper{0};  // their box in model space, m
+  double area_m2 = 0;            // half the surfaces of all children's boxes, summed
+  // Little-endian numbers of 16 and 32 bits, as formats/hierarchy/topology.h reads them.
+  std::span<const std::byte> topology, order;
+};
+
+}  // namespace nightcity
