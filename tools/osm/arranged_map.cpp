@@ -33,7 +33,7 @@ std::vector<Element> list_elements(const pugi::xml_node& root, const char* name)
   std::vector<Element> all;
   for (const pugi::xml_node& node : root.children(name))
     if (const auto id = to_number<std::int64_t>(node.attribute("id").value()))
-      all.push_back({*id, version_of(node), node});
+      all.push_back({*id, read_version(node), node});
   std::stable_sort(all.begin(), all.end(), [](const Element& a, const Element& b) {
     if (a.id != b.id) return osmium::id_order{}(a.id, b.id);
     return a.version.rank() > b.version.rank();
@@ -57,7 +57,7 @@ class Arranger {
   explicit Arranger(const pugi::xml_node& root)
       : ways_(list_elements(root, "way")), relations_(list_elements(root, "relation")) {
     for (const Element& node : list_elements(root, "node"))
-      if (const auto place = to_location(place_of(node.node)); place.valid())
+      if (const auto place = to_location(read_place(node.node)); place.valid())
         places_.emplace(node.id, place);
   }
 
@@ -85,7 +85,7 @@ class Arranger {
     for (const pugi::xml_node& nd : way.node.children("nd")) {
       const auto id = to_number<std::int64_t>(nd.attribute("ref").value()).value_or(INT64_MIN);
       const auto known = places_.find(id);
-      nodes.emplace_back(id, known == places_.end() ? to_location(place_of(nd)) : known->second);
+      nodes.emplace_back(id, known == places_.end() ? to_location(read_place(nd)) : known->second);
     }
     return nodes;
   }
@@ -101,7 +101,7 @@ class Arranger {
         Nodes& nodes = of_members_[*id];
         if (!nodes.empty()) continue;
         for (const pugi::xml_node& nd : member.children("nd")) {
-          const osmium::Location place = to_location(place_of(nd));
+          const osmium::Location place = to_location(read_place(nd));
           nodes.emplace_back(id_at(place), place);
         }
       }

@@ -96,21 +96,21 @@ std::optional<pugi::xml_document> find_osm_document(const std::filesystem::path&
   return std::nullopt;
 }
 
-OsmTags tags_of(const pugi::xml_node& element) {
+OsmTags read_tags(const pugi::xml_node& element) {
   OsmTags tags;
   for (const pugi::xml_node& tag : element.children("tag"))
     tags.emplace(tag.attribute("k").value(), tag.attribute("v").value());
   return tags;
 }
 
-OsmVersion version_of(const pugi::xml_node& element) {
+OsmVersion read_version(const pugi::xml_node& element) {
   const std::string_view action = element.attribute("action").value();
   return {to_number<std::uint32_t>(element.attribute("version").value()).value_or(0),
           !action.empty(),
           action == "delete" || std::string_view(element.attribute("visible").value()) == "false"};
 }
 
-glm::dvec2 place_of(const pugi::xml_node& element) {
+glm::dvec2 read_place(const pugi::xml_node& element) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   return {to_number<double>(element.attribute("lon").value()).value_or(nothing),
           to_number<double>(element.attribute("lat").value()).value_or(nothing)};

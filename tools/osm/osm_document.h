@@ -45,10 +45,10 @@ std::optional<Number> to_number(const char* text) {
   return value;
 }
 
-OsmTags tags_of(const pugi::xml_node& element);
+OsmTags read_tags(const pugi::xml_node& element);
 /// Editors keep what a user has deleted until it is uploaded.
-OsmVersion version_of(const pugi::xml_node& element);
+OsmVersion read_version(const pugi::xml_node& element);
 /// Returns the place of a node, or of a way's reference to a node; NaN if it has none.
-glm::dvec2 place_of(const pugi::xml_node& element);
+glm::dvec2 read_place(const pugi::xml_node& element);
 
 }  // namespace nightcity::osm

@@ -16,7 +16,7 @@ namespace {
 void collect_node(const pugi::xml_node& element, OsmCollector& collector) {
   const auto id = to_number<std::int64_t>(element.attribute("id").value());
   if (id)
-    collector.add_node(*id, version_of(element), place_of(element), tags_of(element));
+    collector.add_node(*id, read_version(element), read_place(element), read_tags(element));
   else
     collector.count_bad_node();
 }
@@ -29,12 +29,12 @@ void collect_way(const pugi::xml_node& element, OsmCollector& collector) {
     // An unreadable reference counts as a node that the extract lacks.
     nodes.push_back(
         {to_number<std::int64_t>(reference.attribute("ref").value()).value_or(INT64_MIN),
-         place_of(reference)});
-  OsmTags tags = tags_of(element);
+         read_place(reference)});
+  OsmTags tags = read_tags(element);
   // Overpass' `out center` gives an area one place instead of its nodes': enough for a lamp.
   if (const pugi::xml_node centre = element.child("center"); centre && is_lamp(tags))
-    nodes = {{INT64_MIN, place_of(centre)}};
-  collector.add_way(*id, version_of(element), std::move(nodes), std::move(tags));
+    nodes = {{INT64_MIN, read_place(centre)}};
+  collector.add_way(*id, read_version(element), std::move(nodes), std::move(tags));
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void collect_document(const pugi::xml_node& root, const std::filesystem::path& f
     } else if (name == "way") {
       collect_way(element, collector);
     } else if (name == "relation") {
-      if (!version_of(element).deleted) collector.add_relation(tags_of(element));
+      if (!read_version(element).deleted) collector.add_relation(read_tags(element));
     } else if (name == "action") {
       throw Error(
           file.string(), find_line(element.offset_debug()),
