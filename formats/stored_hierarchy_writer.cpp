@@ -27,7 +27,7 @@ std::size_t find_padding(std::size_t size) {
   return (alignment - size % alignment) % alignment;
 }
 
-// What is added behind the binary chunk of a file, and described in its JSON.
+// This is added behind the binary chunk of a file, and described in its JSON.
 struct Addition {
   std::size_t size;  // of the binary chunk, with what is added so far
   std::size_t first_view;

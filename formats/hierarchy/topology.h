@@ -20,7 +20,7 @@ struct BareNode {
   float area;  // half the surfaces of its children's boxes, summed
 };
 
-/// What Builder makes in order to store a hierarchy.
+/// Builder makes this in order to store a hierarchy.
 struct BareNodes {
   using Node = BareNode;
   static Node make(const Bounds&, std::span<const MeasuredChild> children) {

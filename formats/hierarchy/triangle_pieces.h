@@ -39,7 +39,7 @@ class TrianglePiece {
   Int4 lower_, upper_;
 };
 
-/// What Builder asks of pieces of at most `max` triangles.
+/// Builder asks these questions of pieces of at most `max` triangles.
 template <std::uint32_t max>
 struct PieceAccess {
   using Primitive = TrianglePiece;

@@ -61,7 +61,7 @@ class Measuring {
     Bounds box{};
     double area_m2 = 0;
   };
-  // What a thread knows while it measures.
+  // A thread knows this while it measures.
   struct Pass {
     double& area_m2;
     std::vector<Bounds> boxes;  // of the task's triangles

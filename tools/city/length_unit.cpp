@@ -104,7 +104,7 @@ std::optional<double> find_metres_per(std::string_view unit) {
   for (const std::string_view pair : {"[]", "()", "\"\""})
     if (name.size() > 2 && name.front() == pair[0] && name.back() == pair[1])
       if (const auto metres = look_up(trim(name.substr(1, name.size() - 2)))) return metres;
-  // What the heights are above, or the unit's sign: "meters above sea level", "metre (m)".
+  // It says what the heights are above, or the unit's sign: "meters above sea level", "metre (m)".
   const auto end = name.find_first_of(" ,(");
   return end == 0 || end == std::string_view::npos ? std::nullopt : look_up(name.substr(0, end));
 }
