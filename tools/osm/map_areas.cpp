@@ -293,7 +293,7 @@ void take_places(const pugi::xml_node& parent, const char* name, std::vector<glm
                  std::size_t count) {
   for (const pugi::xml_node& element : parent.children(name)) {
     if (places.size() >= count) return;
-    const glm::dvec2 place = place_of(element);
+    const glm::dvec2 place = read_place(element);
     if (std::abs(place.x) <= 180 && std::abs(place.y) <= 90) places.push_back(place);
   }
 }
