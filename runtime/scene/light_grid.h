@@ -22,9 +22,9 @@ struct LightGrid {
 struct LightLists {
   float min_cell_m;
   std::uint32_t listed;  // lights per cell, at most
-  // Of all lists there are at most `entries` entries or, where it is more, this many a light: lights
-  // that lie evenly are then no more than listed / entries_a_light in a cell, so that its list
-  // reaches far beyond the lights above its corners.
+  // All lists together have at most `entries` entries or, where it is more, this many a light. Of
+  // lights that lie evenly, no more than listed / entries_a_light are then in a cell, so that its
+  // list reaches far beyond the lights above its corners.
   std::uint32_t entries_a_light = 8, entries = 1 << 24;
 };
 

@@ -105,6 +105,7 @@ struct CityObject {
   std::vector<double> storey_heights_m;
   int lod = -1;                // level of detail; -1 = the file does not say
   bool of_map = false;         // a building of OpenStreetMap, and not of a city model
+  bool continues = false;      // a further piece of the object before it, under its id
   std::optional<Plant> plant;  // of vegetation
   std::vector<Polygon> polygons;
   /// Mass points of a relief, whose surface goes through them; of a plant, where it stands.
@@ -116,7 +117,8 @@ struct CityObject {
   template <class Archive>
   void visit(Archive& archive) {
     archive(id, type, class_name, function, usage, building_class, address, year, measured_height_m,
-            storeys_above_ground, storey_heights_m, lod, of_map, plant, polygons, points, lines);
+            storeys_above_ground, storey_heights_m, lod, of_map, continues, plant, polygons, points,
+            lines);
   }
 };
 

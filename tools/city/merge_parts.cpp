@@ -159,7 +159,7 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
     if (kept.surface == SurfaceType::unknown && p.polygon.surface != SurfaceType::unknown)
       kept = std::move(p.polygon);
   }
-  if (!raw.continued) {
+  if (!object.continues) {
     ++report.objects;
     const bool lod0_alone = std::all_of(raw.polygons.begin(), raw.polygons.end(),
                                         [](const RawPolygon& p) { return p.lod == 0; });

@@ -25,7 +25,6 @@ struct RawObject {
   CityObject object;  // without polygons
   std::vector<RawSpace> spaces{1};
   std::vector<RawPolygon> polygons;
-  bool continued = false;  // a later piece of an object counted already
   bool has_ended = false;  // it was taken out of the model
 };
 

@@ -200,7 +200,7 @@ class StreamReader {
                                       ": xlink to " + id + ", which is not there");
       parser.skipped().merge_into(out.report.skipped);
       for (city::RawObject& raw : raws) {
-        raw.continued = member.continued;
+        raw.object.continues = member.continued;
         out.objects.push_back(city::merge_parts(std::move(raw), options_, out.report));
       }
     }

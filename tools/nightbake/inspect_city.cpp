@@ -78,23 +78,17 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
   Bounds bounds;
   mesh::MeshReport mesh;
   std::size_t buildings = 0;
-  std::string last_id;
-  std::size_t last_polygons = 0;
   city::ReadOptions options;
   options.max_lod = max_lod;
   options.srs_name = head.srs_name;
   if (frame) options.height_unit_m = frame->height_unit_m();
   OtherFrames others(frame);
   const city::ReadReport report = inputs::read_city(file, options, [&](city::CityObject&& object) {
-    // Large objects come in pieces under one id. Small ones without an id may share that of their line.
-    constexpr std::size_t least_polygons = 64;  // of a piece
-    if (object.id.empty() || object.id != last_id || last_polygons < least_polygons) {
+    if (!object.continues) {
       ++objects[city::name_of(object.type)];
       ++lods[object.lod < 0 ? "none" : std::to_string(object.lod)];
       if (object.type == city::ObjectType::building) ++buildings;
     }
-    last_id = object.id;
-    last_polygons = object.polygons.size();
     for (city::Polygon& polygon : object.polygons) {
       if (polygon.srs_name) {
         if (!others.to_first(*polygon.srs_name, polygon.exterior, polygon.anchor)) continue;

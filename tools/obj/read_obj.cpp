@@ -66,7 +66,7 @@ city::RawObject to_raw(const Faces& faces, const Vertices& vertices, city::ReadR
   raw.object.id = faces.name;
   raw.object.type = find_object_type(faces.name);
   raw.object.class_name = "object";
-  raw.continued = faces.continued;
+  raw.object.continues = faces.continued;
   if (raw.object.type != city::ObjectType::building && !faces.continued)
     ++report.assumed["kind of an object, by its name: " + std::string(name_of(raw.object.type))];
   std::size_t at = 0;

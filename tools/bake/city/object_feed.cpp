@@ -90,12 +90,8 @@ void ObjectFeed::learn_crs(city::CityObject&& object, Batch::Item& item) {
 void ObjectFeed::take(Batch::Item&& item) {
   const city::CityObject& object = item.ready.prepared->object;
   ++report_.objects[city::name_of(object.type)];
-  // A large object comes in pieces, one after the other, under one id. Small ones may share one too:
-  // those without an id are named by their line, of which a file may have one alone.
-  constexpr std::size_t least_triangles = 64;  // of a piece, but for a relief that was thinned
-  const bool continues =
-      !object.id.empty() && object.id == last_id_ &&
-      (object.type == city::ObjectType::relief || last_triangles_ >= least_triangles);
+  // A piece after one that was left out is not a further one.
+  const bool continues = object.continues && object.id == last_id_;
   const char* left_out = find_reason(item.ready.unusable);
   if (!left_out && !continues && was_seen_before(item.ready.identity)) {
     last_id_.clear();
@@ -109,10 +105,7 @@ void ObjectFeed::take(Batch::Item&& item) {
   }
   if (!item.ready.elsewhere.empty() && !continues) ++elsewhere_[item.ready.elsewhere];
   for (const CityConsumer::Turn& turn : item.turns) turn(continues);
-  const std::size_t triangles = item.ready.prepared->mesh.triangles.size();
-  if (triangles == 0) return;
-  last_id_ = object.id;
-  last_triangles_ = triangles;
+  if (!item.ready.prepared->mesh.triangles.empty()) last_id_ = object.id;
 }
 
 bool ObjectFeed::was_seen_before(std::uint64_t identity) {

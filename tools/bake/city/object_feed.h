@@ -64,7 +64,6 @@ class ObjectFeed {
   CityReport report_;
   std::size_t file_ = 0, taken_ = 0;
   std::string stage_, last_id_;
-  std::size_t last_triangles_ = 0;                // of the object before
   std::map<std::string, std::size_t> elsewhere_;  // objects of this file, by the CRS they name
   std::unordered_map<std::uint64_t, std::size_t> seen_;  // identity; file that brought it
 };
