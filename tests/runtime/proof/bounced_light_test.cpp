@@ -29,10 +29,10 @@ render::RenderSettings with_bounces(render::Estimator estimator, std::uint32_t b
 void expect_oracle(const LitPlace& place, std::uint32_t bounces) {
   const oracle::Oracle oracle(place.builder.scene(), {place.lights, {}, {}});
   measure::PictureStatistics truth;
-  for (unsigned run = 0; run < 16; ++run)
+  for (unsigned run = 0; run < 12; ++run)
     truth.add(oracle.render(place.pose, side, side, 2, run, static_cast<int>(bounces), 8));
   const measure::PictureStatistics ours =
-      independent_runs(place, with_bounces(render::Estimator::reference, bounces), side, 16, 8, 1);
+      independent_runs(place, with_bounces(render::Estimator::reference, bounces), side, 12, 8, 1);
   expect_equal(ours, truth, 5e-4, 2);
 }
 
@@ -58,18 +58,18 @@ TEST(BouncedLight, OfLightsThatAreResampledEqualsThatOfOneLight) {
     place.lights.back().flux_lm = 1;
   }
   render::RenderSettings settings = with_bounces(render::Estimator::reference, 2);
-  const measure::PictureStatistics many = independent_runs(place, settings, side, 12, 6, 1);
+  const measure::PictureStatistics many = independent_runs(place, settings, side, 12, 2, 1);
   // The same flux in one lamp at nearly the same place.
   place.lights.resize(place.lights.size() - more);
   place.lights[0].flux_lm += float(more);
-  const measure::PictureStatistics few = independent_runs(place, settings, side, 12, 6, 5000);
+  const measure::PictureStatistics few = independent_runs(place, settings, side, 12, 2, 5000);
   expect_equal(many, few, 1e-4, 1);
 }
 
 void expect_unbiased(render::RenderSettings settings, const LitPlace& place) {
-  const measure::PictureStatistics ours = independent_runs(place, settings, side, 48, 6, 1);
+  const measure::PictureStatistics ours = independent_runs(place, settings, side, 36, 4, 1);
   settings.sampling.estimator = render::Estimator::reference;
-  const measure::PictureStatistics truth = independent_runs(place, settings, side, 24, 8, 5000);
+  const measure::PictureStatistics truth = independent_runs(place, settings, side, 16, 6, 5000);
   expect_equal(ours, truth, 1e-4, 1);
 }
 

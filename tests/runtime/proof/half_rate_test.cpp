@@ -133,7 +133,7 @@ TEST_P(HalfRateOf, AMeanAtRestIsUnbiased) {
       independent_runs(place, with_estimator(render::Estimator::reference), side, 16, 16, 5000);
   const bool noisy = GetParam().estimator == render::Estimator::basic;
   expect_equal(
-      independent_runs(place, half_rate(GetParam().estimator), side, noisy ? 400 : 160, 8, 1),
+      independent_runs(place, half_rate(GetParam().estimator), side, noisy ? 400 : 80, 8, 1),
       truth, 1e-4, 1);
 }
 
@@ -144,7 +144,7 @@ TEST_P(HalfRateOf, WhatAFrameInMotionSamplesIsUnbiased) {
   render::DeviceScene device_scene(test_device(), scene);
   render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
   render::RenderSettings settings = half_rate(GetParam().estimator);
-  constexpr int moments = 6;
+  constexpr int moments = 4;
   const auto of_the_last_frame = [](measure::Image image) {
     for (std::size_t y = 0; y < side; ++y)
       for (std::size_t x = 0; x < side; ++x)
@@ -153,7 +153,7 @@ TEST_P(HalfRateOf, WhatAFrameInMotionSamplesIsUnbiased) {
     return image;
   };
   measure::PictureStatistics ours, truth;
-  for (std::uint32_t run = 0; run < 400; ++run) {
+  for (std::uint32_t run = 0; run < count_runs(400); ++run) {
     settings.sampling.seed = run + 1;
     for (int moment = 0; moment < moments; ++moment) {
       scene::CameraPose pose = place.pose;
@@ -202,8 +202,8 @@ TEST(HalfRate, AirIsUnbiasedInAMeanAtRest) {
   settings.air = {.visibility_km = 0.1f, .candidates = 8, .block = 2};
   render::RenderSettings exact = with_estimator(render::Estimator::reference);
   exact.air = settings.air;
-  const measure::PictureStatistics truth = independent_runs(place, exact, side, 16, 64, 5000);
-  expect_equal(independent_runs(place, settings, side, 128, 48, 1), truth, 1e-4, 1);
+  const measure::PictureStatistics truth = independent_runs(place, exact, side, 16, 32, 5000);
+  expect_equal(independent_runs(place, settings, side, 64, 48, 1), truth, 1e-4, 1);
 }
 
 // Sizes that are no multiple of a group's, odd ones among them, and pictures of a pixel.

@@ -17,7 +17,7 @@ namespace nightcity::test {
 namespace {
 
 constexpr std::uint32_t side = 24;  // whole workgroups
-constexpr int moments = 6;
+constexpr int moments = 4;
 
 struct Moving {
   scene::RenderScene scene;
@@ -33,7 +33,7 @@ measure::PictureStatistics last_moments(render::Renderer& renderer, const Moving
                                         render::RenderSettings settings, std::uint32_t runs,
                                         std::uint32_t first_seed) {
   measure::PictureStatistics statistics;
-  for (std::uint32_t run = 0; run < runs; ++run) {
+  for (std::uint32_t run = 0; run < count_runs(runs); ++run) {
     settings.sampling.seed = first_seed + run;
     for (int moment = 0; moment < moments; ++moment) {
       settings.time_s = place.first_s + place.step_s * moment;

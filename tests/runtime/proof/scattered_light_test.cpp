@@ -55,7 +55,7 @@ TEST_P(ScatteredLight, OfOneSampleIsUnbiased) {
   LitPlace place = courtyard();
   place.pose = {{-9, 14, 17}, {-1, 0, -3}, {0, 1, 0}, 45};  // onto the windows, too
   const measure::PictureStatistics truth =
-      independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 256, 5000);
+      independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 64, 5000);
   expect_equal(independent_runs(place, in(GetParam(), render::Estimator::traced), side, 128, 16, 1),
                truth, 1e-4, 1);
 }
@@ -67,7 +67,7 @@ TEST_P(ScatteredLight, OfOnePixelOfABlockIsUnbiased) {
   settings.air.block = 3;
   const measure::PictureStatistics truth =
       independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 64, 5000);
-  expect_equal(independent_runs(place, settings, side, 128, 48, 1), truth, 1e-4, 1);
+  expect_equal(independent_runs(place, settings, side, 64, 48, 1), truth, 1e-4, 1);
 }
 
 // Neither a camera that moves nor a vehicle whose lamps move leaves anything of its light behind:
@@ -80,7 +80,7 @@ TEST_P(ScatteredLight, OfAFrameIsUnbiasedWhileTheCameraMoves) {
   render::RenderSettings settings = in(GetParam(), render::Estimator::traced);
   settings.averaging.accumulate = false;
   measure::PictureStatistics moving;
-  for (std::uint32_t run = 0; run < 800; ++run) {
+  for (std::uint32_t run = 0; run < count_runs(400); ++run) {
     settings.sampling.seed = run + 1;
     scene::CameraPose before = place.pose;
     before.position += glm::vec3(0.7f, -0.3f, 0.4f);
