@@ -174,6 +174,17 @@ TEST(Frame, ShapesPlacedInPseudoMercatorAreMetres) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(shape[axis][axis] - anchor[axis], 1, 1e-6);
 }
 
+// At longitude and latitude 0 the second axis through the earth's centre points east.
+TEST(Frame, TheShiftThatADefinitionStatesIsTaken) {
+  const CityFrame frame = frame_of(
+      "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +ellps=WGS84 +towgs84=0,100,0 "
+      "+units=m +no_defs",
+      {{0, 0, 0}});
+  const double east = std::atan(100 / 6378137.0) * 180 / M_PI;
+  expect_near(frame.to_lon_lat({0, 0}), {east, 0}, 1e-8);
+  expect_near(frame.from_lon_lat({east, 0}), {0, 0}, 1e-3);
+}
+
 TEST(Frame, MetresUnderANameOfDegreesAreSaidToBeMetres) {
   try {
     frame_of("EPSG:4326", {{500100, 5427000, 200}});
