@@ -53,8 +53,8 @@ ObjectClass find_object_class(std::string_view type) {
       {"CityObjectGroup", {R::group, O::other, S::unknown}},
   };
   if (const auto at = table.find(type); at != table.end()) return at->second;
-  // Classes of extensions: "+GenericCityObject", which CityJSON 1.1 has no other name for, and those
-  // that are called after the class that they extend, such as "+NoiseBuilding".
+  // Classes of extensions: "+GenericCityObject", which CityJSON 1.1 has no other name for, and
+  // those that are called after the class that they extend, such as "+NoiseBuilding".
   if (!type.starts_with('+')) return {};
   for (type.remove_prefix(1); !type.empty(); type.remove_prefix(1))
     if (const auto at = table.find(type); at != table.end()) return at->second;

@@ -39,8 +39,8 @@ std::optional<int> edge_of_light(std::string_view text) {
   return clock_minute(text);
 }
 
-/// The days that stand before hours ("Mo-Fr", "Sa,Su", "PH"), and whether these hold in our night: a
-/// Wednesday's, because traffic is a weekday's.
+/// The days that stand before hours ("Mo-Fr", "Sa,Su", "PH"), and whether these hold in our night:
+/// a Wednesday's, because traffic is a weekday's.
 class DayRule {
  public:
   /// Takes the days off the front of a part that was cut at commas.
@@ -123,11 +123,8 @@ std::optional<NightSpan> parse_night_span(std::string_view text) {
 }
 
 std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
-  constexpr std::string_view en_dash = "\xe2\x80\x93";
-  std::string written(text);
-  for (auto at = written.find(en_dash); at != std::string::npos; at = written.find(en_dash))
-    written.replace(at, en_dash.size(), "-");
-  const std::string value = osm::normalise_tag(written);  // blanks and dashes become underscores
+  // Blanks and dashes become underscores.
+  const std::string value = osm::normalise_tag(osm::to_plain_signs(text));
   if (value == "24/7" || value == "00:00_24:00") return dark_between(night_minutes, night_minutes);
   std::vector<NightSpan> spans;
   DayRule days;

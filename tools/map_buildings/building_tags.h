@@ -34,11 +34,11 @@ constexpr double storey_m = 3;
 /// contradict each other.
 BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes);
 
-/// Makes the roof `rise_m` high: below a top that is said, else above the eaves. Where it would take
-/// more than all of the height, half of that is left to the walls.
+/// Makes the roof `rise_m` high: below a top that is said, else above the eaves. Where it would
+/// take more than all of the height, half of that is left to the walls.
 void set_rise(BuildingSizes& sizes, double rise_m);
 
-/// Returns whether the tags say that the building is below the ground, gone or not built yet on a day.
+/// Returns whether the building is below the ground, gone or not built yet on a day.
 bool is_absent(const osm::OsmTags& tags, osm::Day day);
 
 }  // namespace nightcity::map_buildings

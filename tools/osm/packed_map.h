@@ -16,8 +16,8 @@ namespace nightcity::osm {
 osmium::io::File open_packed_map(const std::filesystem::path& file);
 
 /// The elements of a map in the usual order (nodes, ways, relations, each by id) although its file
-/// has them in another one. All of it is in memory; throws Error where the file is too large for that,
-/// and libosmium's exceptions where it is broken.
+/// has them in another one. All of it is in memory; throws Error where the file is too large for
+/// that, and libosmium's exceptions where it is broken.
 class SortedMap {
  public:
   explicit SortedMap(const std::filesystem::path& file);

@@ -311,8 +311,8 @@ place::LonLatToFrame City::to_frame() const {
 
 place::HeightAt City::height_at() const {
   if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
-  // The plane that a map alone stands on goes on beyond its ground, but not round the earth: a row of
-  // an inventory at 0, 0 is no lamp of this city.
+  // The plane that a map alone stands on goes on beyond its ground, but not round the earth: a row
+  // of an inventory at 0, 0 is no lamp of this city.
   constexpr double plane_reach_m = 100'000;
   const auto box = terrain_.extent();
   const bool has_plane = is_map_alone(inputs_) && !inputs_.ground.carries_buildings;
