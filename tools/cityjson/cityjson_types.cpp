@@ -52,8 +52,13 @@ ObjectClass find_object_class(std::string_view type) {
 
       {"CityObjectGroup", {R::group, O::other, S::unknown}},
   };
-  const auto at = table.find(type);
-  return at == table.end() ? ObjectClass{} : at->second;
+  if (const auto at = table.find(type); at != table.end()) return at->second;
+  // Classes of extensions: "+GenericCityObject", which CityJSON 1.1 has no other name for, and
+  // those that are called after the class that they extend, such as "+NoiseBuilding".
+  if (!type.starts_with('+')) return {};
+  for (type.remove_prefix(1); !type.empty(); type.remove_prefix(1))
+    if (const auto at = table.find(type); at != table.end()) return at->second;
+  return {};
 }
 
 std::optional<SurfaceClass> find_surface_class(std::string_view type) {

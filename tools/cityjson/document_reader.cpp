@@ -69,6 +69,7 @@ class Document {
       : text_(text), name_(name), max_part_(max_part), index_(index_document(text, name)) {
     for (const auto& [key, value] : index_.members) {
       if (key == "vertices") continue;
+      if (key == "CityObjects") throw Error(where(value), "\"CityObjects\" is no object");
       parsers_.emplace_back(text, name, max_part);
       const std::vector<dom::element> parsed = parsers_.back().parse(std::span(&value, 1));
       shared_.read(key, parsed.front(), where(value), skipped_);

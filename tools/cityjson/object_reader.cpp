@@ -111,6 +111,8 @@ void read_member(const GroupMember& member, std::uint32_t space, GeometryReader&
   geometry.set_places(raw.object.plant ? &raw.object.points : nullptr);
   if (const auto geometries = find_array(member.object, "geometry"))
     geometry.read(*geometries, space, member.what.surface, raw.polygons);
+  else if (find_member(member.object, "geometry"))
+    skipped.add("geometry that is no array");
 }
 
 }  // namespace

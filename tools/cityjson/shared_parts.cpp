@@ -29,18 +29,16 @@ glm::dvec2 read_place(const dom::element& value) {
           to_number(array.at(1).value()).value_or(none)};
 }
 
-// Zero where the member is absent or holds no three numbers.
-glm::dvec3 find_vector(const dom::object& object, std::string_view key) {
-  const auto value = find_member(object, key);
-  return value ? to_vector(*value).value_or(glm::dvec3(0)) : glm::dvec3(0);
-}
-
 Transform read_transform(const dom::element& value, const std::string& where) {
   dom::object object;
-  if (value.get(object) == simdjson::SUCCESS && find_array(object, "translate")) {
-    const Transform transform{find_vector(object, "scale"), find_vector(object, "translate")};
-    const glm::dvec3& scale = transform.scale;
-    if (scale.x != 0 && scale.y != 0 && scale.z != 0) return transform;
+  if (value.get(object) == simdjson::SUCCESS) {
+    const auto find_vector = [&](std::string_view key) {
+      const auto member = find_member(object, key);
+      return member ? to_vector(*member) : std::nullopt;
+    };
+    const auto scale = find_vector("scale"), translate = find_vector("translate");
+    if (scale && translate && scale->x != 0 && scale->y != 0 && scale->z != 0)
+      return {*scale, *translate};
   }
   throw Error(where, "\"transform\" needs \"scale\" and \"translate\" of three numbers each");
 }
@@ -55,11 +53,20 @@ bool is_digits(std::string_view text) {
 std::string to_srs_name(std::string_view name) {
   const std::string lower = to_lower(name);
   const std::size_t authority = lower.find("epsg");
-  const bool compound = name.find(',') != std::string_view::npos;
-  if (authority == std::string::npos || compound) return std::string(name);
-  const std::size_t last = name.find_last_of(":/#");
-  const std::string_view code = last == std::string_view::npos ? name : name.substr(last + 1);
-  return is_digits(code) ? "EPSG:" + std::string(code) : std::string(name);
+  if (authority == std::string::npos || name.find(',') != std::string_view::npos)
+    return std::string(name);
+  // "EPSG:28992+5709", ".../def/crs-compound?1=...&2=...": that of the heights comes second.
+  std::string codes;
+  for (std::string_view rest = name; !rest.empty();) {
+    const std::size_t end = rest.find_first_of("+&");
+    const std::string_view part = rest.substr(0, end);
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    const std::size_t last = part.find_last_of(":/#");
+    const std::string_view code = last == std::string_view::npos ? part : part.substr(last + 1);
+    if (!is_digits(code)) return std::string(name);
+    codes += (codes.empty() ? "EPSG:" : "+") + std::string(code);
+  }
+  return codes;
 }
 
 std::vector<glm::dvec3> read_vertices(const dom::array& array, const Transform& transform) {
@@ -127,6 +134,7 @@ void SharedParts::read(std::string_view key, const dom::element& value, const st
     has_type_ = true;
   } else if (key == "version") {
     version = to_text(value);
+    if (version == "1" || version == "2") version += ".0";  // a number: 2.0 is 2
     if (!version.starts_with("1.") && !version.starts_with("2."))
       throw Error(where, "is CityJSON " + version +
                              ", and 1.0 to 2.0 are read: turn it into one of these (cjio upgrade)");

@@ -197,8 +197,9 @@ void CityFrame::to_projected(std::span<glm::dvec3> coordinates) const {
 
 void CityFrame::to_projected(std::span<glm::dvec3> coordinates,
                              const std::optional<glm::dvec3>& anchor) const {
-  const bool in_degrees = state_->source && state_->plane && !state_->stretched;
-  if (!anchor || !in_degrees) return to_projected(coordinates);
+  // Shapes are metres where the CRS counts in none: in degrees, and on a stretched grid.
+  const bool has_no_metres = state_->source && state_->plane;
+  if (!anchor || !has_no_metres) return to_projected(coordinates);
   glm::dvec3 origin = *anchor;
   to_projected(std::span(&origin, 1));
   for (glm::dvec3& c : coordinates) c = origin + (c - *anchor);

@@ -38,8 +38,9 @@ class CityFrame {
 
   /// Source coordinates (as in the file) to E, N, H in metres, in place.
   void to_projected(std::span<glm::dvec3> coordinates) const;
-  /// The same for a shape that is placed at `anchor`: where the CRS is geographic, differences to
-  /// that are metres east, north and up, and no degrees. Without an anchor as above.
+  /// The same for a shape that is placed at `anchor`: where the CRS is geographic or its grid no
+  /// metric one (Pseudo-Mercator), differences to that are metres east, north and up. Without an
+  /// anchor as above.
   void to_projected(std::span<glm::dvec3> coordinates,
                     const std::optional<glm::dvec3>& anchor) const;
   /// WGS 84 degrees to E, N in metres; NaN where PROJ has no answer. Horizontal only: heights come

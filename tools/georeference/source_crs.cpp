@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "formats/error.h"
 #include "tools/georeference/local_mercator.h"
@@ -18,7 +19,8 @@ const glm::dvec2 no_answer{std::numeric_limits<double>::quiet_NaN()};
 
 struct SourceCrs::State {
   PjContextPtr context{proj_context_create()};
-  PjPtr crs;         // horizontal part
+  PjPtr crs;    // horizontal part
+  PjPtr bound;  // crs with the shift to WGS 84 that its definition states; null: it states none
   PjPtr to_degrees;  // crs to its own geographic CRS; null: it is one
   PjPtr operation;   // CRS 84 (longitude, latitude) to crs
   bool geographic = false;
@@ -122,7 +124,8 @@ std::unique_ptr<SourceCrs> SourceCrs::create(const std::string& definition, std:
       s.read_vertical(s.crs.get());
       s.crs.reset(proj_crs_get_sub_crs(context, s.crs.get(), 0));
     } else if (type == PJ_TYPE_BOUND_CRS) {
-      s.crs.reset(proj_get_source_crs(context, s.crs.get()));
+      s.bound = std::move(s.crs);
+      s.crs.reset(proj_get_source_crs(context, s.bound.get()));
     } else {
       break;
     }
@@ -235,7 +238,10 @@ bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) cons
 
 std::string SourceCrs::select_operation(const glm::dvec2* lon_lat) {
   State& s = *state_;
-  s.operation = find_operation_from_wgs84(s.context.get(), s.crs.get(), lon_lat);
+  // Where the register has the CRS, it knows better shifts than most definitions state.
+  const bool is_registered = proj_get_id_code(s.crs.get(), 0) != nullptr;
+  const PJ* const target = s.bound && !is_registered ? s.bound.get() : s.crs.get();
+  s.operation = find_operation_from_wgs84(s.context.get(), target, lon_lat);
   if (!s.operation) throw Error("", "PROJ has no operation from WGS 84 to " + s.name);
   return describe_operation(s.context.get(), s.operation.get());
 }

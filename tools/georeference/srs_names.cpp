@@ -110,6 +110,10 @@ std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
   if (key.size() >= least_digits && key.size() <= most_digits &&
       key.find_first_not_of("0123456789") == std::string::npos)
     return list_crs_definitions("EPSG:" + key);
+  // To PROJ such a text is an operation unless it says that it is a CRS.
+  if ((key.starts_with("+proj=") || key.starts_with("proj=")) &&
+      key.find("type=crs") == std::string::npos)
+    return {std::string(name) + " +type=crs"};
   const Alias* alias = find_alias(key);
   if (alias) definitions.emplace_back(alias->definition);
   if (!alias) definitions.emplace_back(name);

@@ -1,9 +1,11 @@
 #include "tools/inventory/layer_columns.h"
 
-#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <string_view>
 
 #include "formats/error.h"
+#include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/city/text_encoding.h"
 
@@ -21,7 +23,9 @@ int find_column(const OGRLayer& layer, const std::string& name, const InventoryF
 
 // Returns a number without the zeros that a Shapefile's fixed width adds.
 std::string to_text(OGRFeature& row, int field) {
-  if (row.GetFieldDefnRef(field)->GetType() != OFTReal) return row.GetFieldAsString(field);
+  const OGRFieldDefn& definition = *row.GetFieldDefnRef(field);
+  if (definition.GetSubType() == OFSTBoolean) return row.GetFieldAsInteger(field) ? "yes" : "no";
+  if (definition.GetType() != OFTReal) return row.GetFieldAsString(field);
   char text[40];
   std::snprintf(text, sizeof text, "%.15g", row.GetFieldAsDouble(field));
   return text;
@@ -29,6 +33,31 @@ std::string to_text(OGRFeature& row, int field) {
 
 bool is_number(std::string_view text) {
   return text.find_first_not_of("0123456789.,+- ") == std::string_view::npos;
+}
+
+// Returns the unit that the heading of a column ends in where it is not the one that lamps are read
+// in: "Mounting height (ft)", "HEIGHT_FT", "Flux [klm]". A table says it there once for all rows.
+std::string_view find_unit(std::string_view property, std::string_view heading) {
+  struct Unit {
+    std::string_view property, word, unit;
+  };
+  constexpr std::array<Unit, 7> units{{{"height", "ft", "ft"},
+                                       {"height", "feet", "ft"},
+                                       {"height", "cm", "cm"},
+                                       {"height", "mm", "mm"},
+                                       {"height", "in", "in"},
+                                       {"lumens", "klm", "klm"},
+                                       {"watts", "kw", "kW"}}};
+  const std::string lower = to_lower(city::trim(heading));
+  std::string_view name = lower;
+  const bool in_brackets = name.ends_with(')') || name.ends_with(']');
+  if (in_brackets) name.remove_suffix(1);
+  const std::size_t before = name.find_last_of(in_brackets ? "([" : "_ .-");
+  if (before == std::string_view::npos) return {};
+  const std::string_view word = city::trim(name.substr(before + 1));
+  for (const Unit& unit : units)
+    if (unit.property == property && unit.word == word) return unit.unit;
+  return {};
 }
 
 }  // namespace
@@ -42,14 +71,16 @@ std::string list_columns(const OGRLayer& layer) {
 }
 
 LayerColumns::LayerColumns(const OGRLayer& layer, const InventoryFile& inventory)
-    : inventory_(inventory), used_(properties.size()) {
+    : used_(properties.size()) {
   for (const auto& [name, column] : inventory.columns) {
     const Property* property = find_property(name);
     if (!property) throw Error(inventory.file.string(), "no lamp has the property " + name);
     const auto values = inventory.values.find(name);
+    const bool is_said = inventory.feet && property->name == "height";
     columns_.push_back({find_column(layer, column, inventory), property,
                         static_cast<std::size_t>(property - properties.data()),
-                        values == inventory.values.end() ? nullptr : &values->second});
+                        values == inventory.values.end() ? nullptr : &values->second,
+                        is_said ? "ft" : find_unit(property->name, column)});
   }
   if (!inventory.id.empty()) id_ = find_column(layer, inventory.id, inventory);
 }
@@ -65,7 +96,7 @@ osm::OsmTags LayerColumns::read(const OGRFeature& row) const {
         text = word->second;
     if (text.empty()) continue;
     ++used_[column.number];
-    if (inventory_.feet && column.property->name == "height" && is_number(text)) text += " ft";
+    if (!column.unit.empty() && is_number(text)) text += " " + std::string(column.unit);
     tags.emplace(column.property->tag, std::move(text));
   }
   return tags;

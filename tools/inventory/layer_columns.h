@@ -3,7 +3,9 @@
 
 #include <ogrsf_frmts.h>
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/inventory/inventory.h"
@@ -33,8 +35,8 @@ class LayerColumns {
     const Property* property;
     std::size_t number;                                // of the property
     const std::map<std::string, std::string>* values;  // null: none to replace
+    std::string_view unit;                             // of numbers; empty: the property's own
   };
-  const InventoryFile& inventory_;
   std::vector<Column> columns_;
   int id_ = -1;
   mutable std::vector<std::size_t> used_;

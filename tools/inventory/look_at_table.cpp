@@ -56,7 +56,9 @@ std::string simplify(string_view name) {
 const std::string* find_column(const TableLook& look, const Guess& guess) {
   for (const string_view name : guess.names)
     for (const std::string& column : look.columns)
-      if (simplify(column) == name) return &column;
+      // Without the unit of "Mounting height (ft)".
+      if (simplify(string_view(column).substr(0, column.find_first_of("(["))) == name)
+        return &column;
   return nullptr;
 }
 
@@ -65,7 +67,7 @@ bool is_point(OGRwkbGeometryType type) {
 }
 
 bool holds_points(OGRLayer& layer) {
-  if (is_point(layer.GetGeomType())) return true;
+  if (is_point(layer.GetGeomType()) || find_point_column(layer) >= 0) return true;
   if (wkbFlatten(layer.GetGeomType()) != wkbUnknown) return false;
   // The first rows may be those without a place.
   constexpr int first_rows = 100;

@@ -9,9 +9,11 @@
 #include <glm/vec2.hpp>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/city/attributes.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/layer_columns.h"
 #include "tools/inventory/layer_crs.h"
@@ -39,6 +41,7 @@ class Reader {
         dataset_(open_vector_file(file)),
         layer_(find_layer(*dataset_, file)),
         columns_(layer_, file),
+        point_column_(file.x.empty() ? find_point_column(layer_) : -1),
         crs_((require_geometry(), layer_), file) {}
 
   Inventory read() {
@@ -64,7 +67,7 @@ class Reader {
 
  private:
   void require_geometry() const {
-    if (layer_.GetGeomType() != wkbNone) return;
+    if (layer_.GetGeomType() != wkbNone || point_column_ >= 0) return;
     throw Error(file_.file.string(),
                 "has no geometry and no columns with coordinates: name them by x and y in "
                 "[[lamps.inventories]]; its columns are " +
@@ -75,18 +78,40 @@ class Reader {
 
   void skip(const char* why) { ++result_.report.skipped[why]; }
 
+  using Places = std::vector<glm::dvec2>;
+
+  // "48.85, 2.35" and "(48.85, 2.35)": latitude comes first.
+  static std::optional<glm::dvec2> parse_lat_lon(std::string_view text) {
+    constexpr std::string_view around = " \t()[]";
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return {};
+    const auto number = [&](std::string_view part) {
+      while (!part.empty() && around.find(part.front()) != around.npos) part.remove_prefix(1);
+      while (!part.empty() && around.find(part.back()) != around.npos) part.remove_suffix(1);
+      return city::parse_number(part);
+    };
+    const auto latitude = number(text.substr(0, comma)), longitude = number(text.substr(comma + 1));
+    if (!latitude || !longitude) return {};
+    return glm::dvec2(*longitude, *latitude);
+  }
+
   void take(const OGRFeature& row) {
-    const OGRGeometry* geometry = row.GetGeometryRef();
-    if (!geometry || geometry->IsEmpty()) return skip("without a place");
-    const Places places = find_places(*geometry);
-    if (places.empty()) return skip("whose geometry is no point");
+    Places places;
+    if (point_column_ >= 0) {
+      const auto place = parse_lat_lon(row.GetFieldAsString(point_column_));
+      if (!place) return skip("without a place");
+      places.push_back(*place);
+    } else {
+      const OGRGeometry* geometry = row.GetGeometryRef();
+      if (!geometry || geometry->IsEmpty()) return skip("without a place");
+      places = find_places(*geometry);
+      if (places.empty()) return skip("whose geometry is no point");
+    }
     const osm::OsmTags tags = columns_.read(row);
     const std::string id = columns_.read_id(row);
     for (std::size_t i = 0; i < places.size(); ++i)
       add(places[i], tags, i == 0 ? id : id + "/" + std::to_string(i));
   }
-
-  using Places = std::vector<glm::dvec2>;
 
   static Places find_places(const OGRGeometry& geometry) {
     Places places;
@@ -129,7 +154,8 @@ class Reader {
       double count = number_of(tags, "light:count").value_or(1);
       for (const osm::OsmTags& other : others) count += number_of(other, "light:count").value_or(1);
       tags["light:count"] = std::to_string(static_cast<int>(std::clamp(count, 1.0, 12.0)));
-      for (const char* key : {"light:lumens", "light:power"}) join(tags, others, key);
+      join(tags, others, "light:lumens", osm::parse_lumens);
+      join(tags, others, "light:power", osm::parse_watts);
       tags.erase("light:direction");  // they look to several sides
     }
     result_.report.lamps = result_.lamps.size();
@@ -154,10 +180,17 @@ class Reader {
     return osm::take_number(text);
   }
 
-  static void join(osm::OsmTags& tags, const std::vector<osm::OsmTags>& others, const char* key) {
-    std::optional<double> sum = number_of(tags, key);
+  // Gives them the mean of what `parse` reads, where it reads all.
+  template <class Parse>
+  static void join(osm::OsmTags& tags, const std::vector<osm::OsmTags>& others, const char* key,
+                   Parse parse) {
+    const auto read = [&](const osm::OsmTags& from) -> std::optional<double> {
+      const auto found = from.find(key);
+      return found == from.end() ? std::nullopt : parse(found->second);
+    };
+    std::optional<double> sum = read(tags);
     for (const osm::OsmTags& other : others) {
-      const auto value = number_of(other, key);
+      const auto value = read(other);
       if (!sum || !value) return;
       *sum += *value;
     }
@@ -168,6 +201,7 @@ class Reader {
   GDALDatasetUniquePtr dataset_;
   OGRLayer& layer_;
   LayerColumns columns_;
+  int point_column_;  // -1: the layer has geometries
   LayerCrs crs_;
   Inventory result_;
   std::map<std::pair<double, double>, std::size_t> at_place_;  // number of the lamp there

@@ -3,6 +3,7 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>
@@ -25,10 +26,12 @@ constexpr std::array drivers{
 // Names of columns with coordinates that open portals use.
 constexpr const char* x_names =
     "lon,long,lng,longitude,x,x_coord,xcoord,coord_x,point_x,easting,laengengrad,längengrad,"
-    "geo_laenge,rechtswert,ostwert,longitud,longitudine,lengtegraad,x_wgs84,utm_x,utm_e";
+    "geo_laenge,rechtswert,ostwert,longitud,longitudine,lengtegraad,x_wgs84,utm_x,utm_e,"
+    "lon (*,long (*,longitude (*,x (*,easting (*,lon [*,longitude [*,x [*,easting [*";
 constexpr const char* y_names =
     "lat,latitude,y,y_coord,ycoord,coord_y,point_y,northing,breitengrad,geo_breite,hochwert,"
-    "nordwert,latitud,latitudine,breedtegraad,y_wgs84,utm_y,utm_n";
+    "nordwert,latitud,latitudine,breedtegraad,y_wgs84,utm_y,utm_n,"
+    "lat (*,latitude (*,y (*,northing (*,lat [*,latitude [*,y [*,northing [*";
 // Columns with whole geometries, as text.
 constexpr const char* geometry_names = "wkt,the_geom,geom,geometry,wkt_geom,geo_shape";
 
@@ -108,6 +111,20 @@ OGRLayer& find_layer(GDALDataset& dataset, const InventoryFile& inventory) {
   if (dataset.GetLayerCount() == 0) throw Error(file, "has no layer");
   throw Error(file, "has several layers (" + list_layers(dataset) +
                         "): name one by layer in [[lamps.inventories]]");
+}
+
+int find_point_column(OGRLayer& layer) {
+  // OpenDataSoft's, Socrata's and ArcGIS Hub's, without blanks and underscores.
+  constexpr std::array<std::string_view, 6> names{"geopoint2d", "geopoint",    "latlon",
+                                                  "latlong",    "coordinates", "location"};
+  if (layer.GetGeomType() != wkbNone) return -1;
+  OGRFeatureDefn& columns = *layer.GetLayerDefn();
+  for (int i = 0; i < columns.GetFieldCount(); ++i) {
+    std::string name = to_lower(columns.GetFieldDefn(i)->GetNameRef());
+    std::erase_if(name, [](char c) { return c == ' ' || c == '_'; });
+    if (std::find(names.begin(), names.end(), name) != names.end()) return i;
+  }
+  return -1;
 }
 
 const char* driver_name(GDALDataset& dataset) {

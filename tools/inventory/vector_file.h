@@ -19,6 +19,10 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory);
 /// layers there are.
 OGRLayer& find_layer(GDALDataset& dataset, const InventoryFile& inventory);
 
+/// Returns the column of a layer without geometries that holds latitude and longitude in one text
+/// ("48.85, 2.35"), as portals name it; -1 where there is none.
+int find_point_column(OGRLayer& layer);
+
 /// Returns the short name of the driver, for reports: "GeoJSON".
 const char* driver_name(GDALDataset& dataset);
 

@@ -49,7 +49,7 @@ constexpr Words<LampMount, 27> mounts = {{
 }};
 
 using enum LampType;
-constexpr Words<LampType, 31> types = {{
+constexpr Words<LampType, 67> types = {{
     {"led", led},
     {"leds", led},
     {"light_emitting_diode", led},
@@ -81,10 +81,47 @@ constexpr Words<LampType, 31> types = {{
     {"gas", gas},
     {"gaslight", gas},
     {"gas_light", gas},
+    {"gas_lamp", gas},
+    {"high_pressure_sodium_vapor", high_pressure_sodium},
+    {"high_pressure_sodium_vapour", high_pressure_sodium},
+    {"sodium_lamp", high_pressure_sodium},
+    {"low_pressure_sodium_vapor", low_pressure_sodium},
+    {"low_pressure_sodium_vapour", low_pressure_sodium},
+    {"mercury_lamp", mercury},
+    {"high_pressure_mercury_vapor", mercury},
+    {"high_pressure_mercury_vapour", mercury},
+    {"metal_halide_lamp", metal_halide},
+    {"ceramic_metal_halide", metal_halide},
+    {"ceramic_discharge_metal_halide", metal_halide},
+    {"fluorescent_tube", fluorescent},
+    {"cfl", fluorescent},
+    {"induction", fluorescent},
+    {"tungsten", incandescent},
+    {"tungsten_halogen", incandescent},
+    // Codes of ILCOS (IEC 61231), of the German LBS and of makers.
+    {"hs", high_pressure_sodium},
+    {"hse", high_pressure_sodium},
+    {"hst", high_pressure_sodium},
+    {"nav", high_pressure_sodium},
+    {"son_t", high_pressure_sodium},
+    {"son_e", high_pressure_sodium},
+    {"lst", low_pressure_sodium},
+    {"lse", low_pressure_sodium},
+    {"hme", mercury},
+    {"hql", mercury},
+    {"hpl", mercury},
+    {"mh", metal_halide},
+    {"mhl", metal_halide},
+    {"hit", metal_halide},
+    {"hie", metal_halide},
+    {"hci", metal_halide},
+    {"cdm", metal_halide},
+    {"cdo", metal_halide},
+    {"cpo", metal_halide},
 }};
 
 // The usual market classes: warm 2700 to 3000 K, neutral 4000 K, cool 5000 to 6500 K.
-constexpr Words<double, 12> colour_temperatures = {{{"warm_white", 2850},
+constexpr Words<double, 14> colour_temperatures = {{{"warm_white", 2850},
                                                     {"warm", 2850},
                                                     {"warmwhite", 2850},
                                                     {"warm_light", 2850},
@@ -95,6 +132,8 @@ constexpr Words<double, 12> colour_temperatures = {{{"warm_white", 2850},
                                                     {"cold_white", 5500},
                                                     {"cold", 5500},
                                                     {"cool", 5500},
+                                                    {"natural_white", 4000},
+                                                    {"day_light", 6500},
                                                     {"daylight", 6500}}};
 
 constexpr Words<double, 24> compass_points = {

@@ -17,6 +17,8 @@ namespace {
 
 using std::string_view;
 
+constexpr double least_cct_k = 1000;
+
 std::optional<LampMount> parse_mount(string_view text) {
   for (const string_view part : osm::split_list(text))
     if (const auto mount = find_lamp_mount(osm::normalise_tag(part))) return mount;
@@ -118,9 +120,9 @@ class LampTagReader {
     if (const std::string* model = find("luminaire_model")) lamp_.model = *model;
     lamp_.flux_lm = first_of(
         {"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
-        between(10, 200000, number_in({"lm", "lumen", "lumens"})));
+        between(10, 200000, osm::parse_lumens));
     lamp_.power_w = first_of({"light:power", "lamp_power", "lamp:power", "wattage", "power:rating"},
-                             between(1, 2000, number_in({"w", "watt", "watts"})));
+                             between(1, 2000, osm::parse_watts));
     lamp_.type =
         first_of({"light:method", "lamp_type", "light:type", "light_type"}, parse_lamp_type);
     // "electric" only says that it is not gas, but it is no mistake.
@@ -186,15 +188,17 @@ class LampTagReader {
 std::optional<double> parse_cct_k(string_view text) {
   for (string_view part : osm::split_list(text)) {
     if (const auto known = find_cct_k(osm::normalise_tag(part))) return known;
-    auto value = osm::take_number(part);
+    const std::string plain = osm::to_plain_signs(part);
+    part = plain;
+    auto value = osm::take_amount(part, least_cct_k);
     if (value && part.starts_with("-")) {  // a range
       part.remove_prefix(1);
-      const auto upper = osm::take_number(part);
+      const auto upper = osm::take_amount(part, least_cct_k);
       value = upper ? std::optional((*value + *upper) / 2) : std::nullopt;
     }
     const std::string unit = osm::normalise_tag(part);
-    if (value && (unit.empty() || unit == "k" || unit == "kelvin") && *value >= 1000 &&
-        *value <= 20000)
+    if (value && (unit.empty() || unit == "k" || unit == "kelvin" || unit == "\xc2\xb0k") &&
+        *value >= least_cct_k && *value <= 20000)
       return value;
   }
   return std::nullopt;

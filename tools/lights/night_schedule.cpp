@@ -1,7 +1,9 @@
 #include "tools/lights/night_schedule.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 #include "tools/osm/tag_values.h"
 #include "tools/random.h"
@@ -36,6 +38,54 @@ std::optional<int> edge_of_light(std::string_view text) {
   if (text == "sunrise" || text == "dawn") return night_minutes;
   return clock_minute(text);
 }
+
+/// The days that stand before hours ("Mo-Fr", "Sa,Su", "PH"), and whether these hold in our night:
+/// a Wednesday's, because traffic is a weekday's.
+class DayRule {
+ public:
+  /// Takes the days off the front of a part that was cut at commas.
+  void take(std::string_view& part) {
+    while (true) {
+      const std::optional<int> first = take_day(part);
+      if (!first) return;
+      std::string_view behind = part.substr(part.starts_with("_") ? 1 : 0);
+      const std::optional<int> last = part.starts_with("_") ? take_day(behind) : std::nullopt;
+      if (last) part = behind;
+      const int to = last.value_or(*first);
+      if (has_hours_) holds_ = false;  // the days of another rule
+      has_hours_ = false;
+      names_days_ = true;
+      const bool within = *first <= to ? *first <= wednesday && wednesday <= to
+                                       : *first <= wednesday || wednesday <= to;
+      holds_ = holds_ || (*first < week && to < week && within);
+      while (part.starts_with("_")) part.remove_prefix(1);
+    }
+  }
+  bool names_days() const { return names_days_; }
+  bool holds() const { return !names_days_ || holds_; }
+  void end_hours(bool ends_rule) {
+    has_hours_ = true;
+    if (ends_rule) *this = {};
+  }
+
+ private:
+  static constexpr int wednesday = 2, week = 7;
+
+  /// Returns the number of a day; 7 for holidays of the public and of schools.
+  static std::optional<int> take_day(std::string_view& text) {
+    constexpr std::array<std::string_view, 9> names{"mo", "tu", "we", "th", "fr",
+                                                    "sa", "su", "ph", "sh"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!text.starts_with(names[i])) continue;
+      if (text.size() > 2 && text[2] != '_') continue;
+      text.remove_prefix(2);
+      return std::min(static_cast<int>(i), week);
+    }
+    return std::nullopt;
+  }
+
+  bool names_days_ = false, holds_ = false, has_hours_ = false;
+};
 
 }  // namespace
 
@@ -73,39 +123,60 @@ std::optional<NightSpan> parse_night_span(std::string_view text) {
 }
 
 std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
-  constexpr std::string_view en_dash = "\xe2\x80\x93";
-  std::string written(text);
-  for (auto at = written.find(en_dash); at != std::string::npos; at = written.find(en_dash))
-    written.replace(at, en_dash.size(), "-");
-  const std::string value = osm::normalise_tag(written);  // blanks and dashes become underscores
+  // Blanks and dashes become underscores.
+  const std::string value = osm::normalise_tag(osm::to_plain_signs(text));
   if (value == "24/7" || value == "00:00_24:00") return dark_between(night_minutes, night_minutes);
-  NightSchedule schedule;
-  std::size_t used = 0;
+  std::vector<NightSpan> spans;
+  DayRule days;
   std::string_view rest = value;
   while (!rest.empty()) {
     const std::size_t end = rest.find_first_of(";,");
     std::string_view part = rest.substr(0, end);
+    const bool ends_rule = end != std::string_view::npos && rest[end] == ';';
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
     while (part.starts_with("_")) part.remove_prefix(1);
-    if (part.starts_with("mo_su_")) part.remove_prefix(6);
+    days.take(part);
+    if (part.empty()) {  // "Mo,We 17:00-22:00": the hours come behind a further day
+      if (ends_rule || rest.empty()) return std::nullopt;
+      continue;
+    }
+    const bool holds = days.holds();
+    const bool replaces = days.names_days();
+    days.end_hours(ends_rule);
+    if (part == "off" && replaces) {
+      if (holds) spans.clear();
+      continue;
+    }
     const std::size_t dash = part.find('_');
     if (dash == std::string_view::npos) return std::nullopt;
     std::string_view end_part = part.substr(dash);
     while (end_part.starts_with("_")) end_part.remove_prefix(1);
     auto from = edge_of_light(part.substr(0, dash)), to = edge_of_light(end_part);
     if (!from || !to) return std::nullopt;
+    if (!holds) continue;
     if (*from > night_minutes && *to > night_minutes && *from < *to) continue;  // by day only
     // A span that begins before 17:00 is lit when the night begins; one that ends by day is lit
     // until its end.
     if (*from > night_minutes) from = 0;
     to = std::min(*to, night_minutes);
     if (*from >= *to) continue;
-    if (used == schedule.on.size() || (used > 0 && *from <= int{schedule.off[used - 1]}))
-      return std::nullopt;
-    schedule.on[used] = static_cast<std::uint16_t>(*from);
-    schedule.off[used++] = static_cast<std::uint16_t>(*to);
+    const auto overlaps = [&](const NightSpan& other) {
+      return *from <= other.to && other.from <= *to;
+    };
+    if (std::any_of(spans.begin(), spans.end(), overlaps)) {
+      if (!replaces) return std::nullopt;
+      spans.clear();  // a later rule for some days goes before an earlier one for more
+    }
+    spans.push_back({*from, *to});
   }
-  if (schedule.never()) return std::nullopt;
+  NightSchedule schedule;
+  if (spans.empty() || spans.size() > schedule.on.size()) return std::nullopt;
+  std::sort(spans.begin(), spans.end(),
+            [](const NightSpan& a, const NightSpan& b) { return a.from < b.from; });
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    schedule.on[i] = static_cast<std::uint16_t>(spans[i].from);
+    schedule.off[i] = static_cast<std::uint16_t>(spans[i].to);
+  }
   return schedule;
 }
 

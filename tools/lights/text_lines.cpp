@@ -96,6 +96,10 @@ double TextLines::number(std::string_view text, std::size_t line, std::string_vi
   std::string digits(text);
   for (char& c : digits)
     if (c == ',') c = '.';
+  // Fortran writes an exponent of double precision with D.
+  for (std::size_t i = 1; i + 1 < digits.size(); ++i)
+    if ((digits[i] == 'D' || digits[i] == 'd') && digits[i - 1] >= '.' && digits[i - 1] <= '9')
+      digits[i] = 'e';
   const char* from = digits.data() + (digits.starts_with('+') ? 1 : 0);
   const char* end = digits.data() + digits.size();
   double value = 0;

@@ -19,24 +19,28 @@ std::string find_tag(const osm::OsmTags& tags, const char* key) {
   return found == tags.end() ? std::string() : osm::normalise_tag(found->second);
 }
 
-// Lengths from the first of several keys that is understood.
-std::optional<double> find_length(const osm::OsmTags& tags,
-                                  std::initializer_list<const char*> keys) {
+// Returns a length from the first of several keys that is understood, and counts the others.
+std::optional<double> find_length(const osm::OsmTags& tags, std::initializer_list<const char*> keys,
+                                  city::SkipCounter& notes) {
   for (const char* key : keys) {
     const auto found = tags.find(key);
     if (found == tags.end()) continue;
     const auto length = osm::parse_length_m(found->second);
     if (length && *length >= 0 && *length <= max_height_m) return length;
+    notes.add(std::string(key) + "=" + found->second + ", not understood");
   }
   return {};
 }
 
-std::optional<double> find_count(const osm::OsmTags& tags, const char* key) {
+std::optional<double> find_count(const osm::OsmTags& tags, const char* key,
+                                 city::SkipCounter& notes) {
   const auto found = tags.find(key);
   if (found == tags.end()) return {};
   std::string_view text = found->second;
   const auto count = osm::take_number(text);
-  return count && *count >= 0 && *count <= max_levels ? count : std::nullopt;
+  if (count && *count >= 0 && *count <= max_levels) return count;
+  notes.add(std::string(key) + "=" + found->second + ", not understood");
+  return {};
 }
 
 double assume_levels(const osm::OsmTags& tags) {
@@ -55,17 +59,44 @@ double assume_levels(const osm::OsmTags& tags) {
   return known == table.end() ? 2 : known->second;
 }
 
-std::optional<double> find_direction(const osm::OsmTags& tags) {
-  static const std::unordered_map<std::string_view, double> compass{
-      {"n", 0},    {"nne", 22.5},  {"ne", 45},  {"ene", 67.5},  {"e", 90},   {"ese", 112.5},
-      {"se", 135}, {"sse", 157.5}, {"s", 180},  {"ssw", 202.5}, {"sw", 225}, {"wsw", 247.5},
-      {"w", 270},  {"wnw", 292.5}, {"nw", 315}, {"nnw", 337.5}};
+std::optional<double> find_direction(const osm::OsmTags& tags, city::SkipCounter& notes) {
+  static const std::unordered_map<std::string_view, double> compass{{"n", 0},
+                                                                    {"nne", 22.5},
+                                                                    {"ne", 45},
+                                                                    {"ene", 67.5},
+                                                                    {"e", 90},
+                                                                    {"ese", 112.5},
+                                                                    {"se", 135},
+                                                                    {"sse", 157.5},
+                                                                    {"s", 180},
+                                                                    {"ssw", 202.5},
+                                                                    {"sw", 225},
+                                                                    {"wsw", 247.5},
+                                                                    {"w", 270},
+                                                                    {"wnw", 292.5},
+                                                                    {"nw", 315},
+                                                                    {"nnw", 337.5},
+                                                                    {"north", 0},
+                                                                    {"east", 90},
+                                                                    {"south", 180},
+                                                                    {"west", 270},
+                                                                    {"north_east", 45},
+                                                                    {"northeast", 45},
+                                                                    {"south_east", 135},
+                                                                    {"southeast", 135},
+                                                                    {"south_west", 225},
+                                                                    {"southwest", 225},
+                                                                    {"north_west", 315},
+                                                                    {"northwest", 315}};
   const std::string text = find_tag(tags, "roof:direction");
   if (text.empty()) return {};
   if (const auto known = compass.find(text); known != compass.end()) return known->second;
   std::string_view rest = text;
   const auto degrees = osm::take_number(rest);
-  return degrees && *degrees >= 0 && *degrees <= 360 ? degrees : std::nullopt;
+  if (degrees && *degrees >= -360 && *degrees <= 360)
+    return *degrees < 0 ? *degrees + 360 : *degrees;
+  notes.add("roof:direction=" + text + ", not understood");
+  return {};
 }
 
 RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
@@ -84,25 +115,59 @@ RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
   return RoofShape::flat;
 }
 
+std::optional<osm::Days> find_days(const osm::OsmTags& tags, const char* key) {
+  const auto found = tags.find(key);
+  return found == tags.end() ? std::nullopt : osm::parse_days(found->second);
+}
+
+// A spire or a tent is roof from its foot to its top, but for a wall that has an area. Half of the
+// height is left to the walls where a roof would take more than all.
+double limit_rise(double rise_m, double room_m) {
+  constexpr double rounding_m = 0.1, least_wall_m = 0.001;
+  return rise_m <= room_m + rounding_m ? std::min(rise_m, room_m - least_wall_m) : room_m / 2;
+}
+
+std::optional<double> find_slope(const osm::OsmTags& tags, city::SkipCounter& notes) {
+  const auto found = tags.find("roof:angle");
+  if (found == tags.end()) return {};
+  std::string_view rest = found->second;
+  const auto degrees = osm::take_number(rest);
+  if (degrees && *degrees > 0 && *degrees < 90) return degrees;
+  notes.add("roof:angle=" + found->second + ", not understood");
+  return {};
+}
+
 }  // namespace
+
+void set_rise(BuildingSizes& sizes, double rise_m) {
+  if (!sizes.top_is_said)
+    sizes.top_m = std::min(sizes.eaves_m + rise_m, max_height_m);
+  else
+    sizes.eaves_m = sizes.top_m - limit_rise(rise_m, sizes.top_m - sizes.foot_m);
+}
 
 BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   BuildingSizes sizes;
-  const auto levels = find_count(tags, "building:levels");
-  const auto roof_levels = find_count(tags, "roof:levels");
-  const auto min_level = find_count(tags, "building:min_level");
-  sizes.foot_m = find_length(tags, {"min_height", "building:min_height"})
+  const auto levels = find_count(tags, "building:levels", notes);
+  const auto roof_levels = find_count(tags, "roof:levels", notes);
+  const auto min_level = find_count(tags, "building:min_level", notes);
+  sizes.foot_m = find_length(tags, {"min_height", "building:min_height"}, notes)
                      .value_or(storey_m * min_level.value_or(0));
-  const auto height = find_length(tags, {"height", "building:height"});
+  const auto height = find_length(tags, {"height", "building:height"}, notes);
   sizes.roof = find_shape(tags, notes);
   sizes.across = find_tag(tags, "roof:orientation") == "across";
-  sizes.direction_degrees = find_direction(tags);
+  sizes.direction_degrees = find_direction(tags, notes);
   if (levels && *levels >= 1) sizes.storeys = static_cast<int>(*levels);
 
   double roof_m = 0;
-  if (sizes.roof != RoofShape::flat)
-    roof_m = find_length(tags, {"roof:height", "building:roof:height"})
-                 .value_or(roof_levels ? storey_m * std::max(*roof_levels, 0.5) : storey_m);
+  bool roof_is_said = false;
+  if (sizes.roof != RoofShape::flat) {
+    const auto said = find_length(tags, {"roof:height", "building:roof:height"}, notes);
+    roof_is_said = said.has_value();
+    if (!said && !roof_levels) sizes.slope_degrees = find_slope(tags, notes);
+    roof_m = said.value_or(roof_levels ? storey_m * std::max(*roof_levels, 0.5) : storey_m);
+  }
+  sizes.top_is_said = height.has_value();
   sizes.assumed = !height && !levels;
   // "building:levels" counts those below the roof, from the ground; "height" reaches to its top.
   sizes.top_m =
@@ -120,8 +185,11 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
       find_tag(tags, "building") == "roof" || find_tag(tags, "building:part") == "roof";
   if (canopy && sizes.foot_m == 0)
     sizes.foot_m = std::max(0.0, sizes.top_m - roof_m - least_height_m);
-  // Half of the height is left to the walls where a roof would take more than all.
-  roof_m = std::min(roof_m, (sizes.top_m - sizes.foot_m) * (canopy ? 0.9 : 0.5) + 1e-9);
+  const double room_m = sizes.top_m - sizes.foot_m;
+  if (roof_is_said)
+    roof_m = limit_rise(roof_m, room_m);
+  else
+    roof_m = std::min(roof_m, room_m * (canopy ? 0.9 : 0.5) + 1e-9);
   sizes.eaves_m = sizes.top_m - roof_m;
   if (roof_m < 0.01) {
     sizes.roof = RoofShape::flat;
@@ -130,8 +198,12 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   return sizes;
 }
 
-bool is_absent(const osm::OsmTags& tags) {
+bool is_absent(const osm::OsmTags& tags, osm::Day day) {
   if (find_tag(tags, "location") == "underground") return true;
+  for (const char* key : {"demolished", "razed", "removed", "destroyed"})
+    if (find_tag(tags, key) == "yes") return true;
+  if (const auto end = find_days(tags, "end_date"); end && end->last < day) return true;
+  if (const auto start = find_days(tags, "start_date"); start && start->first > day) return true;
   for (const char* key : {"building", "building:part"}) {
     const std::string value = find_tag(tags, key);
     for (const char* absent : {"no", "construction", "proposed", "demolished", "razed", "ruins"})

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tools/city/skip_counter.h"
+#include "tools/osm/days.h"
 #include "tools/osm/osm_data.h"
 
 namespace nightcity::map_buildings {
@@ -20,6 +21,8 @@ struct BuildingSizes {
   RoofShape roof = RoofShape::flat;
   bool across = false;                      // the ridge runs along the shorter side
   std::optional<double> direction_degrees;  // the roof falls that way: clockwise from north
+  std::optional<double> slope_degrees;      // roof:angle, where no tag says the roof's height
+  bool top_is_said = false;                 // by a height, and not by levels
   std::optional<int> storeys;               // building:levels
 };
 
@@ -31,7 +34,11 @@ constexpr double storey_m = 3;
 /// contradict each other.
 BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes);
 
-/// Returns whether the tags say that the building is below the ground, gone or not built yet.
-bool is_absent(const osm::OsmTags& tags);
+/// Makes the roof `rise_m` high: below a top that is said, else above the eaves. Where it would
+/// take more than all of the height, half of that is left to the walls.
+void set_rise(BuildingSizes& sizes, double rise_m);
+
+/// Returns whether the building is below the ground, gone or not built yet on a day.
+bool is_absent(const osm::OsmTags& tags, osm::Day day);
 
 }  // namespace nightcity::map_buildings

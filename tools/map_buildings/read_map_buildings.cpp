@@ -1,11 +1,13 @@
 #include "tools/map_buildings/read_map_buildings.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "formats/median.h"
@@ -17,8 +19,10 @@
 #include "tools/map_buildings/part_index.h"
 #include "tools/map_buildings/roofs.h"
 #include "tools/map_buildings/skin.h"
+#include "tools/osm/days.h"
 #include "tools/osm/map_areas.h"
 #include "tools/ring_area.h"
+#include "tools/today.h"
 
 namespace nightcity::map_buildings {
 namespace {
@@ -90,6 +94,15 @@ std::string find_value(const osm::OsmTags& tags, const char* key) {
   return found == tags.end() ? std::string() : found->second;
 }
 
+// Returns the year in which a building was begun, as text: of "1880..1890" the first, of "before
+// 1950" that.
+std::string find_year(const std::string& start_date) {
+  const auto days = osm::parse_days(start_date);
+  if (!days) return {};
+  const osm::Day day = days->first == osm::Day::min() ? days->last : days->first;
+  return std::to_string(static_cast<int>(std::chrono::year_month_day(day).year()));
+}
+
 class ObjectMaker {
  public:
   ObjectMaker(city::SkipCounter& skipped, city::SkipCounter& assumed, bool coloured)
@@ -98,7 +111,7 @@ class ObjectMaker {
   // Returns none where nothing of the building stands above the ground.
   std::optional<city::RawObject> make(const MapArea& building,
                                       const std::vector<const MapArea*>& parts) {
-    if (is_absent(building.tags)) {
+    if (is_absent(building.tags, today_)) {
       skipped_.add("building below the ground, not built or gone");
       return {};
     }
@@ -107,7 +120,7 @@ class ObjectMaker {
     raw.object.type = city::ObjectType::building;
     raw.object.class_name = "Building";
     raw.object.of_map = true;
-    raw.object.year = find_value(building.tags, "start_date").substr(0, 4);
+    raw.object.year = find_year(find_value(building.tags, "start_date"));
     raw.object.address = city::to_text(city::Address{
         find_value(building.tags, "addr:street"), find_value(building.tags, "addr:housenumber"),
         find_value(building.tags, "addr:postcode"), find_value(building.tags, "addr:city"),
@@ -115,7 +128,7 @@ class ObjectMaker {
     const LocalPlane plane(building.rings.front().outer.front());
     if (parts.empty()) add_shells(building, building, plane, raw);
     for (const MapArea* part : parts)
-      if (!is_absent(part->tags)) add_shells(*part, building, plane, raw);
+      if (!is_absent(part->tags, today_)) add_shells(*part, building, plane, raw);
     if (!parts.empty()) skipped_.add("outline of a building that has parts");
     if (const auto said = find_sizes(building.tags, unused_).storeys)
       raw.object.storeys_above_ground = *said;
@@ -126,12 +139,16 @@ class ObjectMaker {
   // `building` is the whole of which the area is a part, or the area itself.
   void add_shells(const MapArea& area, const MapArea& building, const LocalPlane& plane,
                   city::RawObject& raw) {
-    const BuildingSizes sizes = find_sizes(area.tags, skipped_);
+    const BuildingSizes said = find_sizes(area.tags, skipped_);
     const auto walls = find_colour(area, building, Skin::walls),
                roof = find_colour(area, building, Skin::roof);
-    if (sizes.assumed) assumed_.add("height of a building that the map does not say");
+    double highest_m = 0;
+    if (said.assumed) assumed_.add("height of a building that the map does not say");
     for (const MapRings& rings : area.rings) {
       const Outline outline = to_outline(rings, plane);
+      BuildingSizes sizes = said;
+      fit_slope(outline, sizes);
+      highest_m = std::max(highest_m, sizes.top_m);
       bool made_flat = false;
       for (city::Polygon& polygon : make_shell(outline, sizes, made_flat)) {
         const auto place = [&](city::Ring& ring) {
@@ -146,10 +163,10 @@ class ObjectMaker {
       if (made_flat) skipped_.add("roof whose shape does not fit its outline, shown flat");
     }
     city::CityObject& object = raw.object;
-    object.measured_height_m = std::max(object.measured_height_m.value_or(0), sizes.top_m);
-    if (sizes.storeys)
+    object.measured_height_m = std::max(object.measured_height_m.value_or(0), highest_m);
+    if (said.storeys)
       object.storeys_above_ground =
-          std::max(object.storeys_above_ground.value_or(0), *sizes.storeys);
+          std::max(object.storeys_above_ground.value_or(0), *said.storeys);
   }
 
   std::optional<glm::vec3> find_colour(const MapArea& area, const MapArea& building,
@@ -162,6 +179,7 @@ class ObjectMaker {
   city::SkipCounter &skipped_, &assumed_;
   bool coloured_;
   city::SkipCounter unused_;
+  const osm::Day today_ = today();
 };
 
 struct Batch {

@@ -202,25 +202,50 @@ class Shell {
   std::vector<city::Polygon> polygons_;
 };
 
-// A plane that falls the way that roof:direction says, else across the longer side.
+// The way that roof:direction says, else across the longer side.
+glm::dvec2 find_fall(const BuildingSizes& sizes, const Rectangle& box) {
+  if (!sizes.direction_degrees) return {-box.along.y, box.along.x};
+  const double angle = *sizes.direction_degrees * std::numbers::pi / 180;
+  return {std::sin(angle), std::cos(angle)};
+}
+
+// How far the outline reaches along a direction.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+};
+
+Extent find_extent(const Outline& outline, const glm::dvec2& along) {
+  Extent extent;
+  for (const glm::dvec2& p : outline.outer) {
+    extent.low = std::min(extent.low, glm::dot(p, along));
+    extent.high = std::max(extent.high, glm::dot(p, along));
+  }
+  return extent;
+}
+
+// A plane that falls from the top to the eaves.
 void add_skillion(Shell& shell, const Outline& outline, const BuildingSizes& sizes,
                   const Rectangle& box) {
-  glm::dvec2 fall(-box.along.y, box.along.x);
-  if (sizes.direction_degrees) {
-    const double angle = *sizes.direction_degrees * std::numbers::pi / 180;
-    fall = {std::sin(angle), std::cos(angle)};
-  }
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const glm::dvec2& p : outline.outer) {
-    low = std::min(low, glm::dot(p, fall));
-    high = std::max(high, glm::dot(p, fall));
-  }
+  const glm::dvec2 fall = find_fall(sizes, box);
+  const auto [low, high] = find_extent(outline, fall);
   const double slope = (sizes.top_m - sizes.eaves_m) / std::max(high - low, 1e-6);
-  shell.add_plane(
-      [&](const glm::dvec2& p) { return sizes.top_m - slope * (glm::dot(p, fall) - low); });
+  shell.add_plane([&, low = low](const glm::dvec2& p) {
+    return sizes.top_m - slope * (glm::dot(p, fall) - low);
+  });
 }
 
 }  // namespace
+
+void fit_slope(const Outline& outline, BuildingSizes& sizes) {
+  if (!sizes.slope_degrees || sizes.roof == RoofShape::flat) return;
+  const Rectangle box = find_rectangle(outline.outer);
+  double run = (sizes.roof == RoofShape::gabled && sizes.across ? box.length : box.width) / 2;
+  if (sizes.roof == RoofShape::skillion) {
+    const Extent extent = find_extent(outline, find_fall(sizes, box));
+    run = extent.high - extent.low;
+  }
+  set_rise(sizes, run * std::tan(*sizes.slope_degrees * std::numbers::pi / 180));
+}
 
 std::vector<city::Polygon> make_shell(const Outline& outline, const BuildingSizes& sizes,
                                       bool& made_flat) {

@@ -16,6 +16,9 @@ struct Outline {
   std::vector<std::vector<glm::dvec2>> holes;
 };
 
+/// Makes the roof as high as its slope says over the outline (`slope_degrees`), within the sizes.
+void fit_slope(const Outline& outline, BuildingSizes& sizes);
+
 /// Returns a closed shell that faces outward: floor, walls, roof. Where the roof's shape does not
 /// fit the outline (a gable over anything that its ridge cuts more than twice, a hipped roof over
 /// anything but four corners, a pyramid whose top would not see every edge, and all but a skillion

@@ -2,6 +2,7 @@
 
 #include <osmium/area/assembler.hpp>
 #include <osmium/area/multipolygon_manager.hpp>
+#include <osmium/handler/check_order.hpp>
 #include <osmium/index/map/flex_mem.hpp>
 #include <osmium/io/any_input.hpp>
 #include <osmium/visitor.hpp>
@@ -9,36 +10,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "formats/error.h"
 #include "tools/osm/arranged_map.h"
 #include "tools/osm/osm_document.h"
-#include "tools/osm/osm_marks.h"
+#include "tools/osm/packed_map.h"
 #include "tools/osm/whole_tags.h"
 
 namespace nightcity::osm {
 namespace {
-
-// libosmium's name for the file's format, by its first bytes.
-osmium::io::File open_map(const std::filesystem::path& file) {
-  std::array<char, 64> bytes{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes.data(), bytes.size());
-  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (start.empty()) throw Error(file.string(), "cannot be read, or is empty");
-  const char* format = start.starts_with("\x1f\x8b") ? "osm.gz"
-                       : is_bzip2(start)             ? "osm.bz2"
-                       : is_o5m(start)               ? "o5m"
-                       : is_osm_pbf(start)           ? "pbf"
-                                                     : "osm";
-  return osmium::io::File(file.string(), format);
-}
 
 // Comes before all that looks at tags.
 struct TagCheck : osmium::handler::Handler {
@@ -63,6 +51,7 @@ class Places : public osmium::handler::Handler {
   explicit Places(const AreaSelection& selection) : selection_(selection) {}
 
   void node(const osmium::Node& node) {
+    if (sorted_) throw osmium::out_of_order_error("a node behind a way", node.id());
     if (!node.location().valid()) return;
     (node.id() < 0 ? of_editor_ : places_).set(node.positive_id(), node.location());
   }
@@ -251,39 +240,59 @@ auto guard(const std::filesystem::path& file, const Work& work) {
 
 }  // namespace
 
+namespace {
+
+enum class Order : std::uint8_t { usual, any };
+
+MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& selection,
+                    std::size_t max_nodes, Order order) {
+  osmium::TagsFilter filter{false};
+  for (const std::string& key : selection.keys) filter.add_rule(true, key);
+  TooLong too_long;
+  osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
+  TagCheck check;
+  RelationGate gate(manager, too_long);
+  Places places(selection);
+  Collector collector(selection);
+  const auto collect = [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, collector); };
+  if (const auto document = find_osm_document(file)) {
+    ArrangedMap map = arrange_map(document->child("osm"));
+    osmium::apply(map.relations, gate);
+    manager.prepare_for_lookup();
+    osmium::apply(map.ways, places, manager.handler(collect));
+  } else if (order == Order::any) {
+    SortedMap map(file);
+    map.apply_to(check, gate);
+    manager.prepare_for_lookup();
+    map.apply_to(places, manager.handler(collect));
+  } else {
+    const osmium::io::File packed = open_packed_map(file);
+    osmium::io::Reader relations(packed, osmium::osm_entity_bits::relation);
+    osmium::apply(relations, check, gate);
+    relations.close();
+    manager.prepare_for_lookup();
+    osmium::io::Reader reader(packed, osmium::osm_entity_bits::nwr, osmium::io::read_meta::yes);
+    osmium::apply(reader, check, places, manager.handler(collect));
+    reader.close();
+  }
+  MapAreas areas = std::move(collector).finish(places, too_long);
+  std::size_t incomplete = 0;
+  manager.for_each_incomplete_relation(
+      [&](const osmium::relations::RelationHandle&) { ++incomplete; });
+  areas.broken += incomplete;
+  return areas;
+}
+
+}  // namespace
+
 MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
                         std::size_t max_nodes) {
   return guard(file, [&] {
-    osmium::TagsFilter filter{false};
-    for (const std::string& key : selection.keys) filter.add_rule(true, key);
-    TooLong too_long;
-    osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
-    TagCheck check;
-    RelationGate gate(manager, too_long);
-    Places places(selection);
-    Collector collector(selection);
-    const auto collect = [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, collector); };
-    if (const auto document = find_osm_document(file)) {
-      ArrangedMap map = arrange_map(document->child("osm"));
-      osmium::apply(map.relations, gate);
-      manager.prepare_for_lookup();
-      osmium::apply(map.ways, places, manager.handler(collect));
-    } else {
-      const osmium::io::File packed = open_map(file);
-      osmium::io::Reader relations(packed, osmium::osm_entity_bits::relation);
-      osmium::apply(relations, check, gate);
-      relations.close();
-      manager.prepare_for_lookup();
-      osmium::io::Reader reader(packed, osmium::osm_entity_bits::nwr, osmium::io::read_meta::yes);
-      osmium::apply(reader, check, places, manager.handler(collect));
-      reader.close();
+    try {
+      return read_areas(file, selection, max_nodes, Order::usual);
+    } catch (const osmium::out_of_order_error&) {
+      return read_areas(file, selection, max_nodes, Order::any);
     }
-    MapAreas areas = std::move(collector).finish(places, too_long);
-    std::size_t incomplete = 0;
-    manager.for_each_incomplete_relation(
-        [&](const osmium::relations::RelationHandle&) { ++incomplete; });
-    areas.broken += incomplete;
-    return areas;
   });
 }
 
@@ -312,7 +321,7 @@ std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std:
           take_places(member, "nd", places, count);
       return places;
     }
-    osmium::io::Reader reader(open_map(file), osmium::osm_entity_bits::nwr);
+    osmium::io::Reader reader(open_packed_map(file), osmium::osm_entity_bits::nwr);
     const auto take = [&](const osmium::Location& place) {
       if (place.valid() && places.size() < count) places.emplace_back(place.lon(), place.lat());
     };

@@ -1,7 +1,12 @@
 #include "tools/osm/tag_values.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
+#include <unordered_map>
+#include <utility>
 
 namespace nightcity::osm {
 namespace {
@@ -12,7 +17,105 @@ void skip_blanks(string_view& text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
 }
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Removes the words and signs that say that a length is about right.
+void skip_about(string_view& text) {
+  constexpr std::array<string_view, 12> words = {
+      "~",      "<",     ">",      "+",     "approximately", "approx.",
+      "approx", "about", "around", "circa", "ca.",           "c."};
+  for (bool found = true; found;) {
+    skip_blanks(text);
+    found = false;
+    for (const string_view word : words)
+      if (text.starts_with(word)) {
+        text.remove_prefix(word.size());
+        found = true;
+        break;
+      }
+  }
+}
+
+constexpr double foot_m = 0.3048, inch_m = 0.0254;
+
+std::optional<double> find_metres_per(string_view unit) {
+  static const std::unordered_map<string_view, double> table{{"", 1},
+                                                             {"m", 1},
+                                                             {"m.", 1},
+                                                             {"mt", 1},
+                                                             {"mts", 1},
+                                                             {"mtr", 1},
+                                                             {"mtrs", 1},
+                                                             {"meter", 1},
+                                                             {"meters", 1},
+                                                             {"metre", 1},
+                                                             {"metres", 1},
+                                                             {"metro", 1},
+                                                             {"metros", 1},
+                                                             {"metri", 1},
+                                                             {"\xd0\xbc", 1},  // Cyrillic
+                                                             {"cm", 0.01},
+                                                             {"mm", 0.001},
+                                                             {"dm", 0.1},
+                                                             {"km", 1000},
+                                                             {"ft", foot_m},
+                                                             {"ft.", foot_m},
+                                                             {"foot", foot_m},
+                                                             {"feet", foot_m},
+                                                             {"'", foot_m},
+                                                             {"in", inch_m},
+                                                             {"in.", inch_m},
+                                                             {"inch", inch_m},
+                                                             {"inches", inch_m},
+                                                             {"\"", inch_m},
+                                                             {"''", inch_m},
+                                                             {"yd", 3 * foot_m},
+                                                             {"yard", 3 * foot_m},
+                                                             {"yards", 3 * foot_m}};
+  const auto found = table.find(unit);
+  return found == table.end() ? std::nullopt : std::optional(found->second);
+}
+
+// Reads the inches of "12'6\"" and "12 ft 6 in" behind the number of feet.
+std::optional<double> take_inches(string_view rest) {
+  bool feet = false;
+  for (const string_view unit : {"feet", "foot", "ft.", "ft", "'"})
+    if (!feet && rest.starts_with(unit)) {
+      rest.remove_prefix(unit.size());
+      feet = true;
+    }
+  if (!feet) return std::nullopt;
+  const auto inches = take_number(rest);
+  if (!inches) return std::nullopt;
+  const std::string unit = normalise_tag(rest);
+  const auto metres = unit.empty() ? inch_m : find_metres_per(unit);
+  return metres == inch_m ? inches : std::nullopt;
+}
+
 }  // namespace
+
+std::string to_plain_signs(string_view text) {
+  constexpr std::pair<string_view, char> signs[] = {
+      {"\xc2\xa0", ' '},      {"\xe2\x80\xaf", ' '}, {"\xe2\x80\x89", ' '}, {"\xe2\x80\xb2", '\''},
+      {"\xe2\x80\x99", '\''}, {"\xc2\xb4", '\''},    {"\xe2\x80\xb3", '"'}, {"\xe2\x80\x9d", '"'},
+      {"\xe2\x80\x93", '-'},  {"\xe2\x89\x88", '~'}};
+  std::string out;
+  while (!text.empty()) {
+    std::size_t taken = 1;
+    char put = text.front();
+    if (static_cast<unsigned char>(put) >= 0x80)
+      for (const auto& [sign, plain] : signs)
+        if (text.starts_with(sign)) {
+          taken = sign.size();
+          put = plain;
+        }
+    out += put;
+    text.remove_prefix(taken);
+  }
+  return out;
+}
 
 std::string normalise_tag(std::string_view value) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
@@ -54,13 +157,79 @@ std::optional<double> take_number(string_view& text) {
   return value;
 }
 
+std::optional<double> take_amount(string_view& text, double least) {
+  skip_blanks(text);
+  // A separator of thousands before each group of three digits, the same before all of them.
+  std::string digits;
+  std::size_t at = 0;
+  while (at < text.size() && is_digit(text[at])) digits += text[at++];
+  if (digits.empty() || digits.size() > 3 || digits.front() == '0') return take_number(text);
+  const auto is_group = [&](std::size_t from) {
+    if (from + 4 > text.size()) return false;
+    for (std::size_t i = from + 1; i < from + 4; ++i)
+      if (!is_digit(text[i])) return false;
+    return from + 4 == text.size() || !is_digit(text[from + 4]);
+  };
+  const char separator = at < text.size() ? text[at] : '\0';
+  if (string_view(",.' ").find(separator) == string_view::npos || !is_group(at))
+    return take_number(text);
+  std::size_t groups = 0;
+  for (; at < text.size() && text[at] == separator && is_group(at); at += 4, ++groups)
+    digits += text.substr(at + 1, 3);
+  double value = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool may_be_decimal = groups == 1 && (separator == '.' || separator == ',');
+  if (may_be_decimal && value / 1000 >= least) return take_number(text);
+  text.remove_prefix(at);
+  // "1,250.50"
+  if (text.size() > 1 && (text[0] == '.' || text[0] == ',') && is_digit(text[1])) {
+    std::string fraction = "0.";
+    for (text.remove_prefix(1); !text.empty() && is_digit(text.front()); text.remove_prefix(1))
+      fraction += text.front();
+    double part = 0;
+    std::from_chars(fraction.data(), fraction.data() + fraction.size(), part);
+    value += part;
+  }
+  skip_blanks(text);
+  return value;
+}
+
+namespace {
+
+// Reads an amount in a unit that is among the first, or a thousand of it among the second.
+std::optional<double> parse_amount(string_view text, double least,
+                                   std::initializer_list<string_view> units,
+                                   std::initializer_list<string_view> kilo) {
+  const std::string plain = to_plain_signs(text);
+  string_view rest = plain;
+  if (rest.starts_with('~')) rest.remove_prefix(1);
+  const auto is_in = [](std::initializer_list<string_view> names, string_view unit) {
+    return std::find(names.begin(), names.end(), normalise_tag(unit)) != names.end();
+  };
+  string_view behind = rest;  // "3.500 klm" are three and a half
+  if (const auto few = take_number(behind); few && is_in(kilo, behind)) return *few * 1000;
+  const auto value = take_amount(rest, least);
+  return value && (rest.empty() || is_in(units, rest)) ? value : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> parse_lumens(string_view text) {
+  constexpr double least = 100;
+  return parse_amount(text, least, {"lm", "lumen", "lumens"}, {"klm", "k_lm", "kilolumen"});
+}
+
+std::optional<double> parse_watts(string_view text) {
+  constexpr double least = 3;
+  return parse_amount(text, least, {"w", "watt", "watts"}, {"kw", "kilowatt"});
+}
+
 std::optional<double> parse_length_m(string_view text) {
-  const auto parts = split_list(text);
+  const std::string plain = to_plain_signs(text);
+  const auto parts = split_list(plain);
   if (parts.empty()) return std::nullopt;
   string_view rest = parts.front();
-  while (!rest.empty() && (rest.front() == '~' || rest.front() == '<' || rest.front() == '>'))
-    rest.remove_prefix(1);
-  if (rest.starts_with("ca.")) rest.remove_prefix(3);
+  skip_about(rest);
   auto value = take_number(rest);
   if (!value) return std::nullopt;
   if (rest.starts_with("-")) {
@@ -69,21 +238,8 @@ std::optional<double> parse_length_m(string_view text) {
     if (!upper) return std::nullopt;
     value = (*value + *upper) / 2;
   }
-  constexpr double foot = 0.3048;
-  const std::string unit = normalise_tag(rest);
-  if (unit.empty() || unit == "m" || unit == "meter" || unit == "meters" || unit == "metre" ||
-      unit == "metres" || unit == "mt" || unit == "m.")
-    return value;
-  if (unit == "cm") return *value / 100;
-  if (unit == "mm") return *value / 1000;
-  if (unit == "ft" || unit == "feet" || unit == "foot" || unit == "'" || unit == "ft.")
-    return *value * foot;
-  if (rest.front() == '\'') {  // feet and inches
-    rest.remove_prefix(1);
-    const auto inches = take_number(rest);
-    if (inches && (rest == "\"" || rest == "''" || rest.empty()))
-      return (*value + *inches / 12) * foot;
-  }
+  if (const auto metres = find_metres_per(normalise_tag(rest))) return *value * *metres;
+  if (const auto inches = take_inches(rest)) return *value * foot_m + *inches * inch_m;
   return std::nullopt;
 }
 

@@ -20,8 +20,23 @@ std::vector<std::string_view> split_list(std::string_view text);
 /// number.
 std::optional<double> take_number(std::string_view& text);
 
-/// Returns metres from "6", "6 m", "6,5", "20'", "12'6\"", "20 ft", "600 cm", "~6 m", the first of
-/// "6;8" or the middle of "5-7"; none from what cannot be understood.
+/// As take_number, of an amount whose thousands may be separated by comma, point, blank or
+/// apostrophe. A single comma or point before three digits separates decimals where the number is
+/// `least` or more so: with 100, "12,000" and "12.000" are 12000, and "850.125" is 850.125.
+std::optional<double> take_amount(std::string_view& text, double least);
+
+/// Returns lumens from "4500", "4500 lm", "12,000 lm" or "4.5 klm", and watts from "70 W", "1,000
+/// W" or "0.07 kW": no street lamp has 12 lm or 1 W, so that such a number is of thousands. None
+/// from other units.
+std::optional<double> parse_lumens(std::string_view text);
+std::optional<double> parse_watts(std::string_view text);
+
+/// Returns the text with the signs of ASCII for those of typography: no-break blanks, primes,
+/// dashes and the sign of what is about equal, which becomes '~'.
+std::string to_plain_signs(std::string_view text);
+
+/// Returns metres from "6", "6 m", "6,5", "20'", "12'6\"", "20 ft", "12 ft 6 in", "600 cm", "~6 m",
+/// "approx. 6 m", the first of "6;8" or the middle of "5-7"; none from what cannot be understood.
 std::optional<double> parse_length_m(std::string_view text);
 
 }  // namespace nightcity::osm

@@ -14,7 +14,9 @@ namespace nightcity::terrain {
 double find_height_unit(GDALRasterBand& band, const OGRSpatialReference* crs,
                         const std::string& file) {
   const std::string said = to_lower(band.GetUnitType());
-  if (!said.empty() && said != "unknown") {
+  const bool is_silent = said.empty() || said == "unknown" || said == "unspecified" ||
+                         said == "undefined" || said == "unspec" || said == "none" || said == "n/a";
+  if (!is_silent) {
     if (const auto metres = city::find_metres_per(said)) return *metres;
     throw Error(file, "its heights are in the unit \"" + said +
                           "\", which is not known here: write it with heights in metres");

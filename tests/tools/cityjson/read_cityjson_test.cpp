@@ -90,6 +90,11 @@ TEST(CityJson, NamesOfReferenceSystemsKeepNoPromiseOfAxes) {
     EXPECT_EQ(srs_name(name), "EPSG:7415") << name;
   EXPECT_EQ(srs_name("urn:ogc:def:crs,crs:EPSG::28992,crs:EPSG::5709"),
             "urn:ogc:def:crs,crs:EPSG::28992,crs:EPSG::5709");
+  for (const char* name :
+       {"http://www.opengis.net/def/crs-compound?1=http://www.opengis.net/def/crs/EPSG/0/28992&"
+        "2=http://www.opengis.net/def/crs/EPSG/0/5709",
+        "EPSG:28992+EPSG:5709", "EPSG:28992+5709"})
+    EXPECT_EQ(srs_name(name), "EPSG:28992+5709") << name;
   EXPECT_EQ(srs_name("a local grid"), "a local grid");
 }
 
@@ -311,6 +316,48 @@ TEST(CityJson, ExtensionsAreSkippedAndCounted) {
   EXPECT_EQ(read.report.skipped.at("+NoiseBarrier"), 1u);
   EXPECT_EQ(read.report.skipped.at("polygon: of an extension's object"), 6u);
   EXPECT_EQ(read.report.skipped.at("extension"), 1u);
+}
+
+TEST(CityJson, ExtensionsOfKnownClassesAreReadAsThese) {
+  const City read =
+      read_city(city_json(object("g", "+GenericCityObject", solid()) + "," +
+                          object("b", "+NoiseBuilding", solid(), "\"children\":[\"p\"]") + "," +
+                          object("p", "+NoiseBuildingPart", solid(), "\"parents\":[\"b\"]")));
+  ASSERT_EQ(read.objects.size(), 2u);
+  EXPECT_EQ(read.objects[0].type, city::ObjectType::generic);
+  EXPECT_EQ(read.objects[1].type, city::ObjectType::building);
+  EXPECT_EQ(read.objects[1].class_name, "+NoiseBuilding");
+}
+
+TEST(CityJson, ATransformWithoutThreeNumbersIsRefusedAndAVersionMayBeANumber) {
+  const auto city = [](const std::string& translate, const std::string& version) {
+    return "{\"type\":\"CityJSON\",\"version\":" + version +
+           ",\"transform\":{\"scale\":[1,1,1],\"translate\":" + translate +
+           "},\"CityObjects\":{},\"vertices\":[]}";
+  };
+  EXPECT_NO_THROW(read_city(city("[1,2,3]", "2.0")));
+  EXPECT_THROW(read_city(city("[1,2]", "\"2.0\"")), Error);
+  EXPECT_THROW(read_city(city("[\"1\",\"2\",\"3\"]", "\"2.0\"")), Error);
+  EXPECT_THROW(read_city(city("[1,2,3]", "3.0")), Error);
+  EXPECT_THROW(
+      read_city("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":[],\"vertices\":[]}"),
+      Error);
+}
+
+TEST(CityJson, AGeometryThatIsNoArrayIsCounted) {
+  std::string text = city_json(object("a", "Building", solid()));
+  const auto at = text.find("\"geometry\":[");
+  ASSERT_NE(at, std::string::npos);
+  const auto open = text.find('[', at);
+  int depth = 0;
+  std::size_t close = open;
+  for (;; ++close) {
+    depth += text[close] == '[' ? 1 : text[close] == ']' ? -1 : 0;
+    if (depth == 0) break;
+  }
+  text[open] = ' ';
+  text[close] = ' ';
+  EXPECT_EQ(read_city(text).report.skipped.at("geometry that is no array"), 1u);
 }
 
 TEST(CityJson, TheHeadHasClosedRingsFromTheFirstObjects) {

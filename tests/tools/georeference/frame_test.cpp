@@ -163,6 +163,28 @@ TEST(Frame, PseudoMercatorBecomesMetresOnTheGround) {
   }
 }
 
+// A shape of 1 m is no shape of 0.66 m.
+TEST(Frame, ShapesPlacedInPseudoMercatorAreMetres) {
+  const double x = 9.0 * M_PI / 180 * 6378137;
+  const double y = std::log(std::tan(M_PI / 4 + 49.0 * M_PI / 360)) * 6378137;
+  const CityFrame frame = frame_of("EPSG:3857", {{x, y, 100}});
+  Points shape{{x + 1, y, 100}, {x, y + 1, 100}, {x, y, 101}};
+  frame.to_projected(shape, glm::dvec3(x, y, 100));
+  const glm::dvec3 anchor = project(frame, {x, y, 100});
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(shape[axis][axis] - anchor[axis], 1, 1e-6);
+}
+
+// At longitude and latitude 0 the second axis through the earth's centre points east.
+TEST(Frame, TheShiftThatADefinitionStatesIsTaken) {
+  const CityFrame frame = frame_of(
+      "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +ellps=WGS84 +towgs84=0,100,0 "
+      "+units=m +no_defs",
+      {{0, 0, 0}});
+  const double east = std::atan(100 / 6378137.0) * 180 / M_PI;
+  expect_near(frame.to_lon_lat({0, 0}), {east, 0}, 1e-8);
+  expect_near(frame.from_lon_lat({east, 0}), {0, 0}, 1e-3);
+}
+
 TEST(Frame, MetresUnderANameOfDegreesAreSaidToBeMetres) {
   try {
     frame_of("EPSG:4326", {{500100, 5427000, 200}});

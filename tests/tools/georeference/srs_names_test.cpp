@@ -43,6 +43,13 @@ TEST(SrsNames, ACodeAloneIsThatOfEpsgAndLongitudeComesFirstInCrs84) {
   EXPECT_EQ(list_crs_definitions("123").front(), "123");
 }
 
+TEST(SrsNames, TextsOfProjAreSystemsAndNoOperations) {
+  const std::string utm = "+proj=utm +zone=33 +ellps=GRS80 +units=m +no_defs";
+  EXPECT_EQ(list_crs_definitions(utm), std::vector<std::string>{utm + " +type=crs"});
+  EXPECT_TRUE(offers("+init=epsg:25833", "EPSG:25833"));
+  EXPECT_EQ(list_crs_definitions(utm + " +type=crs"), std::vector<std::string>{utm + " +type=crs"});
+}
+
 TEST(SrsNames, NoNameGivesNoDefinition) {
   EXPECT_TRUE(list_crs_definitions("").empty());
   EXPECT_TRUE(list_crs_definitions("  \n").empty());

@@ -12,6 +12,7 @@
 #include "support/temp_folder.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/add_to_map.h"
+#include "tools/inventory/look_at_table.h"
 #include "tools/lights/place_lamps.h"
 
 namespace nightcity::inventory {
@@ -64,6 +65,67 @@ TEST(Inventory, ColumnsBecomeTheTagsThatLampsAreReadBy) {
   EXPECT_EQ(read.report.skipped.at("without a place"), 1u);
   EXPECT_EQ(read.report.columns.at("watts"), 2u);
   EXPECT_EQ(read.report.columns.at("height"), 1u);
+}
+
+TEST(Inventory, AHeadingNamesTheUnitOfItsNumbers) {
+  const TempFolder folder;
+  write_text(folder / "lamps.csv",
+             "lon,lat,Mounting height (ft),Flux [klm],POWER_KW,Works\n"
+             "13.4,52.5,26,4.5,0.07,false\n13.41,52.5,8 m,4500 lm,70 W,true\n");
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  file.crs = "EPSG:4326";
+  file.columns = {{"height", "Mounting height (ft)"},
+                  {"lumens", "Flux [klm]"},
+                  {"watts", "POWER_KW"},
+                  {"state", "Works"}};
+  EXPECT_EQ(guess_inventory(file.file, look_at_table(file.file)).columns.at("height"),
+            "Mounting height (ft)");
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 2u);
+  EXPECT_EQ(read.lamps[0].tags, (osm::OsmTags{{"height", "26 ft"},
+                                              {"light:lumens", "4.5 klm"},
+                                              {"light:power", "0.07 kW"},
+                                              {"operational_status", "false"}}));
+  EXPECT_EQ(read.lamps[1].tags, (osm::OsmTags{{"height", "8 m"},
+                                              {"light:lumens", "4500 lm"},
+                                              {"light:power", "70 W"},
+                                              {"operational_status", "true"}}));
+  // What stands in brackets is no unit of this column, or part of a word.
+  write_text(folder / "lamps.csv", "lon,lat,Height (new),soft\n13.4,52.5,8,4500\n");
+  file.columns = {{"height", "Height (new)"}, {"lumens", "soft"}};
+  EXPECT_EQ(read_inventory(file).lamps.at(0).tags,
+            (osm::OsmTags{{"height", "8"}, {"light:lumens", "4500"}}));
+}
+
+TEST(Inventory, LatitudeAndLongitudeMayStandInOneColumn) {
+  const TempFolder folder;
+  for (const char* text :
+       {"geo_point_2d,h\n\"52.5, 13.4\",8\n", "h;Geo Point\n8;52.5,13.4\n",
+        "Location,h\n\"(52.5, 13.4)\",8\n", "Latitude (deg),Longitude (deg),h\n52.5,13.4,8\n"}) {
+    write_text(folder / "lamps.csv", text);
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:4326";
+    file.columns = {{"height", "h"}};
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 1u) << text;
+    EXPECT_NEAR(read.lamps[0].lon_lat.x, 13.4, 1e-9) << text;
+    EXPECT_NEAR(read.lamps[0].lon_lat.y, 52.5, 1e-9) << text;
+    EXPECT_EQ(read.lamps[0].tags.at("height"), "8");
+    EXPECT_TRUE(look_at_table(file.file).has_points) << text;
+  }
+}
+
+TEST(Inventory, TruthsAreYesAndNo) {
+  const TempFolder folder;
+  write_text(folder / "lamps.geojson",
+             R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"on":false},
+"geometry":{"type":"Point","coordinates":[13.4,52.5]}}]})");
+  InventoryFile file;
+  file.file = folder / "lamps.geojson";
+  file.columns = {{"state", "on"}};
+  EXPECT_EQ(read_inventory(file).lamps.at(0).tags, (osm::OsmTags{{"operational_status", "no"}}));
 }
 
 TEST(Inventory, ALampKeepsItsIdentityWhenRowsAreAdded) {

@@ -15,6 +15,10 @@ TEST(LampTags, ColourTemperaturesAsNumbersAndWords) {
   EXPECT_EQ(parse_cct_k("3000k"), 3000);
   EXPECT_EQ(parse_cct_k("Warm White"), 2850);
   EXPECT_EQ(parse_cct_k("nonsense;4000 K"), 4000);
+  EXPECT_EQ(parse_cct_k("3,000 K"), 3000);
+  EXPECT_EQ(parse_cct_k("3.000"), 3000);
+  EXPECT_EQ(parse_cct_k("2 700-3 000 K"), 2850);
+  EXPECT_EQ(parse_cct_k("4000 \xc2\xb0K"), 4000);
   for (const char* text : {"", "3 K", "560 nm", "30000000", "blue"})
     EXPECT_FALSE(parse_cct_k(text)) << text;
 }
@@ -38,6 +42,11 @@ TEST(LampTags, LampTypesAsPeopleSpellThem) {
   EXPECT_EQ(parse_lamp_type("SOX"), LampType::low_pressure_sodium);
   EXPECT_EQ(parse_lamp_type("gaslight"), LampType::gas);
   EXPECT_EQ(parse_lamp_type("whatever;led"), LampType::led);
+  EXPECT_EQ(parse_lamp_type("SON-T"), LampType::high_pressure_sodium);
+  EXPECT_EQ(parse_lamp_type("HSE"), LampType::high_pressure_sodium);
+  EXPECT_EQ(parse_lamp_type("HIT"), LampType::metal_halide);
+  EXPECT_EQ(parse_lamp_type("HME"), LampType::mercury);
+  EXPECT_EQ(parse_lamp_type("ceramic_metal_halide"), LampType::metal_halide);
   EXPECT_FALSE(parse_lamp_type("plasma"));
 }
 
@@ -80,6 +89,12 @@ TEST(LampTags, CountsListsColoursAndTilt) {
   EXPECT_TRUE(read_lamp_tags({{"disused", "yes"}}).unlit);
 }
 
+TEST(LampTags, ThousandsOfLumensAndWattsAreNoDecimals) {
+  EXPECT_EQ(read_lamp_tags({{"light:luminous_flux", "12,000 lm"}}).flux_lm, 12000);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "1,000 W"}}).power_w, 1000);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "70,000"}}).power_w, 70);
+}
+
 TEST(LampTags, WhatCannotBeReadOrBelievedIsTold) {
   const LampTags lamp = read_lamp_tags({{"height", "tall"},
                                         {"light:count", "9999"},
@@ -120,6 +135,8 @@ TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
       {{{"operational_status", "broken"}}, "broken"},
       {{{"operational_status", "Out of order"}}, "broken"},
       {{{"operational_status", "operational"}}, ""},
+      {{{"operational_status", "false"}}, "broken"},
+      {{{"operational_status", "true"}}, ""},
       {{{"demolished", "yes"}}, "disused or demolished"},
       {{{"end_date", "2015-05-01"}}, "end_date past"},
       {{{"end_date", "1990s"}}, "end_date past"},

@@ -107,6 +107,13 @@ TEST_F(LuminaireForms, CommasAreDecimalWhereOnlyThatFitsTheCounts) {
             std::string::npos);
 }
 
+TEST_F(LuminaireForms, ExponentsOfFortranAreRead) {
+  EXPECT_NEAR(flux(ies("4 1 1", "0 30 60 9.0D+01\n0\n1.0D2 1.0d+02 .1D3 100\n", "1.0D+00 1 50")),
+              hemisphere_lm, 1e-9);
+  EXPECT_NE(error_of(ies("4 1 1", "0 30 60 90\n0\n1D 100 100 100\n")).find("is no number"),
+            std::string::npos);
+}
+
 TEST_F(LuminaireForms, NumbersThatRemainAreRefusedWithTheirLine) {
   EXPECT_NE(error_of(ies("4 1 1", even + "\n100 100\n"))
                 .find(":10: numbers remain after the last candela value (\"100\")"),

@@ -112,6 +112,32 @@ TEST(NightSchedule, LitHoursAsPeopleWriteThem) {
     EXPECT_FALSE(parse_lit_hours(text)) << text;
 }
 
+TEST(NightSchedule, OfHoursThatDifferByTheDayThoseOfAWednesdayHold) {
+  const std::pair<const char*, NightSchedule> known[] = {
+      {"Mo-Fr 17:00-23:00", night({{0, 360}})},
+      {"Mo-Fr sunset-23:00; Mo-Fr 05:00-sunrise", night({{0, 360}, {720, 840}})},
+      {"Mo-Fr 17:00-22:00; Sa-Su 17:00-23:30", night({{0, 300}})},
+      {"Sa,Su 17:00-23:30; Mo-Fr 17:00-22:00", night({{0, 300}})},
+      {"Mo-Th,Su 17:00-22:00; Fr,Sa 17:00-24:00", night({{0, 300}})},
+      {"Mo, We 17:00-22:00, Sa 16:30-20:00", night({{0, 300}})},
+      {"Fr-Mo 17:00-23:00, We 18:00-20:00", night({{60, 180}})},
+      {"Sa-We 17:00-23:00; PH off", night({{0, 360}})},
+      {"Mo-Su 17:00-23:00; We 17:00-22:00", night({{0, 300}})},
+      {"17:00-23:00; We 17:00-22:00", night({{0, 300}})},
+      {"Mo-Fr 06:00-08:00,16:00-22:00", night({{0, 300}, {780, 840}})},
+      {"06:00-08:00,16:00-22:00", night({{0, 300}, {780, 840}})},
+  };
+  for (const auto& [text, schedule] : known) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_EQ(*hours, schedule) << text;
+  }
+  for (const char* text :
+       {"PH off", "Mo-Fr", "Mo-Fr;", "Sa 17:00-22:00", "Mo-Fr 17:00-22:00; We off",
+        "Monday 17:00-22:00", "Mo-Fr 20:00-22:00;We"})
+    EXPECT_FALSE(parse_lit_hours(text)) << text;
+}
+
 TEST(NightSchedule, HoursAreCountedAtFullHours) {
   HourCounts counts{};
   count_hours(night({{0, 61}, {780, 840}}), counts);  // 17:00-18:01, 06:00-07:00

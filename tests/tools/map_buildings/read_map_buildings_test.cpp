@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
@@ -50,6 +52,11 @@ class Map {
   }
   std::string text() const {
     return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + nodes_ + ways_ + relations_ +
+           "</osm>\n";
+  }
+  // Ways before the nodes that they name, as some programs write.
+  std::string text_in_no_order() const {
+    return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + relations_ + ways_ + nodes_ +
            "</osm>\n";
   }
 
@@ -128,6 +135,83 @@ TEST(MapBuildings, HeightsComeFromTagsInTheirOrder) {
   expect_near(volume_of("building=yes,height=10,roof:shape=dome"), 10);
   EXPECT_EQ(volume_of("building=no,height=10"), 0);
   EXPECT_EQ(volume_of("building=yes,location=underground"), 0);
+}
+
+TEST(MapBuildings, ASpireIsRoofFromItsFootToItsTop) {
+  const auto volume_of = [](const std::string& tags) {
+    Map map;
+    map.add_rectangle(0, 0, 6, 6, tags);
+    return volume(read(map).objects.at(0)) / 36;
+  };
+  expect_near(volume_of("building=yes,height=12,roof:height=12,roof:shape=pyramidal"), 4);
+  expect_near(volume_of("building=yes,height=12,roof:height=12.02,roof:shape=pyramidal"), 4);
+  expect_near(volume_of("building=yes,height=12,roof:height=12,roof:shape=gabled"), 6);
+  expect_near(
+      volume_of("building:part=yes,min_height=20,height=40,roof:height=20,roof:shape=pyramidal"),
+      20 / 3.0);
+  // Three quarters of a height are less than all.
+  expect_near(volume_of("building=yes,height=12,roof:height=9,roof:shape=pyramidal"), 3 + 3);
+  // A roof that is higher than all leaves half to the walls.
+  expect_near(volume_of("building=yes,height=6,roof:height=9,roof:shape=pyramidal"), 3 + 1);
+}
+
+TEST(MapBuildings, ARoofIsAsHighAsItsAngleSays) {
+  const auto volume_of = [](const std::string& tags) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, tags);
+    return volume(read(map).objects.at(0)) / 60;
+  };
+  // Half of 6 m at 45 degrees are 3 m.
+  expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:angle=45"), 7 + 1.5);
+  expect_near(volume_of("building=yes,building:levels=2,roof:shape=gabled,roof:angle=45"), 6 + 1.5);
+  expect_near(volume_of("building=yes,height=10,roof:shape=pyramidal,roof:angle=45"), 7 + 1);
+  expect_near(
+      volume_of("building=yes,height=10,roof:shape=gabled,roof:orientation=across,roof:angle=45"),
+      5 + 2.5);
+  // A plane that falls to the north over 6 m, by half of that.
+  expect_near(volume_of("building=yes,height=10,roof:shape=skillion,roof:direction=N,"
+                        "roof:angle=26.565051177"),
+              7 + 1.5);
+  // A roof that is higher than all leaves half to the walls, and a height goes before an angle.
+  expect_near(volume_of("building=yes,height=4,roof:shape=gabled,roof:angle=80"), 3);
+  expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:angle=45,roof:height=4"), 8);
+}
+
+TEST(MapBuildings, SizesThatAreNotUnderstoodAreNamed) {
+  Map map;
+  map.add_rectangle(0, 0, 6, 6,
+                    "building=yes,height=tall,building:levels=many,roof:shape=skillion,"
+                    "roof:direction=left");
+  const Read result = read(map);
+  EXPECT_EQ(result.report.skipped.at("height=tall, not understood"), 1u);
+  EXPECT_EQ(result.report.skipped.at("building:levels=many, not understood"), 1u);
+  EXPECT_EQ(result.report.skipped.at("roof:direction=left, not understood"), 1u);
+}
+
+TEST(MapBuildings, WhatHasEndedOrHasNotBegunIsNotBuilt) {
+  const auto is_built = [](const std::string& tags) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, "building=yes," + tags);
+    return !read(map).objects.empty();
+  };
+  for (const char* tags :
+       {"end_date=1995", "end_date=1990s", "start_date=9998-05", "demolished=yes", "razed=yes"})
+    EXPECT_FALSE(is_built(tags)) << tags;
+  for (const char* tags : {"end_date=9998", "start_date=1890", "end_date=soon", "demolished=no"})
+    EXPECT_TRUE(is_built(tags)) << tags;
+}
+
+TEST(MapBuildings, TheYearIsThatOfTheBeginning) {
+  const auto year_of = [](const std::string& date) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, "building=yes,start_date=" + date);
+    return read(map).objects.at(0).year;
+  };
+  EXPECT_EQ(year_of("1890-05-01"), "1890");
+  EXPECT_EQ(year_of("~1890"), "1890");
+  EXPECT_EQ(year_of("1890s"), "1890");
+  EXPECT_EQ(year_of("before 1950"), "1950");
+  EXPECT_EQ(year_of("old"), "");
 }
 
 TEST(MapBuildings, PartsStandInPlaceOfTheirOutline) {
@@ -269,6 +353,27 @@ TEST(MapBuildings, ATagWithAZeroByteIsAnError) {
                     "tests/tools/osm/corpus/zero_byte_in_tag.osm.pbf";
   const city::ObjectSink nothing = [](city::CityObject&&) {};
   EXPECT_THROW(read_map_buildings(file, {}, city::deliver_to(nothing)), Error);
+}
+
+TEST(MapBuildings, APackedMapMayHoldItsElementsInAnyOrder) {
+  Map map;
+  const int outer = map.add_rectangle(0, 0, 20, 20, ""),
+            inner = map.add_rectangle(5, 5, 10, 10, "");
+  map.add_multipolygon(outer, inner, "building=yes,height=10");
+  map.add_rectangle(40, 0, 10, 6, "building=yes,height=9");
+  const TemporaryFile file(map.text_in_no_order(), ".osm");
+  const std::string packed = file.path().string() + ".gz";
+  if (std::system(("gzip -c " + file.path().string() + " > " + packed).c_str()) != 0)
+    GTEST_SKIP() << "gzip is absent";
+  std::vector<double> volumes;
+  const city::ObjectSink sink = [&](city::CityObject&& o) { volumes.push_back(volume(o)); };
+  const city::ReadReport report = read_map_buildings(packed, {}, city::deliver_to(sink));
+  std::filesystem::remove(packed);
+  ASSERT_EQ(volumes.size(), 2u);
+  std::sort(volumes.begin(), volumes.end());
+  expect_near(volumes[0], 60 * 9);
+  expect_near(volumes[1], 300 * 10);
+  EXPECT_TRUE(report.skipped.empty());
 }
 
 TEST(MapBuildings, BrokenMapsAreErrors) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace nightcity::osm {
 namespace {
 
@@ -21,6 +23,58 @@ TEST(TagValues, LengthsInEveryUnitAndSpelling) {
   }
   for (const char* text : {"", "m", "tall", "6 miles", "6 storeys", ";", "1e400", "--6", "0x10"})
     EXPECT_FALSE(parse_length_m(text)) << text;
+}
+
+TEST(TagValues, LengthsInInchesYardsTypographyAndAboutRight) {
+  const std::pair<const char*, double> known[] = {{"120 in", 3.048},
+                                                  {"120\"", 3.048},
+                                                  {"12 ft 6 in", 3.81},
+                                                  {"12ft6in", 3.81},
+                                                  {"12\xe2\x80\xb2", 3.6576},
+                                                  {"12\xe2\x80\xb2 6\xe2\x80\xb3", 3.81},
+                                                  {"12\xe2\x80\x99", 3.6576},
+                                                  {"4 yd", 3.6576},
+                                                  {"0.01 km", 10},
+                                                  {"6\xc2\xa0m", 6},
+                                                  {"+6", 6},
+                                                  {"approx. 6 m", 6},
+                                                  {"about 6", 6},
+                                                  {"\xe2\x89\x88 6 m", 6},
+                                                  {"5\xe2\x80\x93"
+                                                   "7 m",
+                                                   6},
+                                                  {"6 mts", 6},
+                                                  {"6 \xd0\xbc", 6}};
+  for (const auto& [text, metres] : known) {
+    const auto length = parse_length_m(text);
+    ASSERT_TRUE(length) << text;
+    EXPECT_NEAR(*length, metres, 1e-9) << text;
+  }
+  for (const char* text : {"12'6 m", "12 in 6 ft", "about", "12 ft tall"})
+    EXPECT_FALSE(parse_length_m(text)) << text;
+}
+
+TEST(TagValues, ThousandsOfLumensAndWattsMayBeSeparated) {
+  const std::pair<const char*, double> fluxes[] = {{"12,000 lm", 12000},
+                                                   {"12.000", 12000},
+                                                   {"12 000 lm", 12000},
+                                                   {"12\xc2\xa0"
+                                                    "000",
+                                                    12000},
+                                                   {"12'000", 12000},
+                                                   {"4500lm", 4500},
+                                                   {"4.5 klm", 4500},
+                                                   {"4.500 klm", 4500},
+                                                   {"850.125", 850.125},
+                                                   {"1,234.5", 1234.5},
+                                                   {"4500.5", 4500.5},
+                                                   {"1.250.000", 1250000}};
+  for (const auto& [text, lumens] : fluxes) EXPECT_EQ(parse_lumens(text), lumens) << text;
+  const std::pair<const char*, double> powers[] = {
+      {"1,000 W", 1000}, {"70.000", 70}, {"70,5 W", 70.5}, {"0.25 kW", 250}, {"2.000", 2000}};
+  for (const auto& [text, watts] : powers) EXPECT_EQ(parse_watts(text), watts) << text;
+  for (const char* text : {"", "lm", "12,000 W", "12 00 lm", "2 x 3000 lm", "3000/6000"})
+    EXPECT_FALSE(parse_lumens(text)) << text;
 }
 
 TEST(TagValues, CaseBlanksAndHyphensDoNotMatter) {

@@ -119,7 +119,7 @@ TEST(ElevationModel, HeightsInFeetBecomeMetres) {
        {Case{"ft", "", 0.3048}, Case{"US survey foot", "", 1200.0 / 3937},
         Case{"", "EPSG:25832+6360", 1200.0 / 3937}, Case{"metre", "", 1}, Case{"[m]", "", 1},
         Case{"meters above sea level", "", 1}, Case{"foot_survey", "", 1200.0 / 3937},
-        Case{"Decimeters", "", 0.1}, Case{"", "EPSG:25832+5715", -1}}) {
+        Case{"Decimeters", "", 0.1}, Case{"unspecified", "", 1}, Case{"", "EPSG:25832+5715", -1}}) {
     write(c.unit, c.crs);
     EXPECT_NEAR(sample(ElevationModel(folder / "feet.tif"), {place})[0], value * c.metres, 1e-6)
         << c.unit << c.crs;

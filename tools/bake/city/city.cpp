@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -310,10 +311,18 @@ place::LonLatToFrame City::to_frame() const {
 
 place::HeightAt City::height_at() const {
   if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
-  return [this, plane = is_map_alone(inputs_) && !inputs_.ground.carries_buildings](
-             const glm::dvec2& place) -> std::optional<double> {
+  // The plane that a map alone stands on goes on beyond its ground, but not round the earth: a row
+  // of an inventory at 0, 0 is no lamp of this city.
+  constexpr double plane_reach_m = 100'000;
+  const auto box = terrain_.extent();
+  const bool has_plane = is_map_alone(inputs_) && !inputs_.ground.carries_buildings;
+  return [this, has_plane, box](const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain_.height_at(place);
-    if (!hit && plane) return 0.0;
+    if (!hit && has_plane) {
+      const bool is_near =
+          !box || glm::distance(glm::clamp(place, box->low, box->high), place) <= plane_reach_m;
+      return is_near ? std::optional(0.0) : std::nullopt;
+    }
     if (!hit || hit->surface == terrain::SurfaceClass::roof) return std::nullopt;
     const bool covered = hit->surface == terrain::SurfaceClass::terrain;
     return hit->height_m - (covered ? cover_.depth_at(place) : 0);

@@ -176,8 +176,10 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
             for (const auto& [text, word] : words.rows("a table like {FL = \"fluorescent\"}"))
               row.values[to_property(words, name)][text] = word.text();
         }},
-       choice_key<bool>("height_unit", row.feet, {{"m", false}, {"ft", true}},
-                        "The unit of heights that name none."),
+       choice_key<bool>(
+           "height_unit", row.feet, {{"m", false}, {"ft", true}},
+           "The unit of heights of which neither they nor their column's name (MOUNT_HT_FT) "
+           "say one."),
        number_key("within_m", row.within_m, {0, 100}, "m",
                   "A lamp of the map as near as this to a lamp of the inventory is the same lamp "
                   "and is not used. The default is how well a phone knows its place under open sky "

@@ -1,0 +1,45 @@
+#include "tools/osm/packed_map.h"
+
+#include <osmium/io/any_input.hpp>
+#include <osmium/osm/object_comparisons.hpp>
+
+#include <array>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "formats/error.h"
+#include "tools/osm/osm_marks.h"
+
+namespace nightcity::osm {
+
+osmium::io::File open_packed_map(const std::filesystem::path& file) {
+  std::array<char, 64> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (start.empty()) throw Error(file.string(), "cannot be read, or is empty");
+  const char* format = start.starts_with("\x1f\x8b") ? "osm.gz"
+                       : is_bzip2(start)             ? "osm.bz2"
+                       : is_o5m(start)               ? "o5m"
+                       : is_osm_pbf(start)           ? "pbf"
+                                                     : "osm";
+  return osmium::io::File(file.string(), format);
+}
+
+SortedMap::SortedMap(const std::filesystem::path& file) {
+  constexpr std::uintmax_t max_bytes = 256 << 20;
+  std::error_code ignored;
+  if (std::filesystem::file_size(file, ignored) > max_bytes)
+    throw Error(file.string(),
+                "its elements are in no order, and it is too large to be sorted here: sort it by "
+                "`osmium sort IN -o OUT`");
+  osmium::io::Reader reader(open_packed_map(file), osmium::osm_entity_bits::nwr,
+                            osmium::io::read_meta::yes);
+  while (osmium::memory::Buffer buffer = reader.read()) buffers_.push_back(std::move(buffer));
+  reader.close();
+  for (osmium::memory::Buffer& buffer : buffers_) osmium::apply(buffer, objects_);
+  objects_.sort(osmium::object_order_type_id_version{});
+}
+
+}  // namespace nightcity::osm
