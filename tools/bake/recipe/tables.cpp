@@ -117,9 +117,10 @@ Table make_ground_table(bake::CoverOptions& ground) {
            "With `streets`: where cars park along them, as `parking:left`, `right`, `both` or "
            "the older `parking:lane:...` say. Bays beside a carriageway (`street_side`) widen "
            "it, except within 5 m of junctions; on a pavement (`on_kerb`, `half_on_kerb`) it is "
-           "at least as wide as cars need; `lane` is a part of the carriageway. `:orientation`, "
-           "`:width` and `:surface` say what bays are like, else they are 2.00 m deep, "
-           "4.60 m if diagonal and 4.30 m if perpendicular; with `markings` and "
+           "at least as wide as cars need; `lane` and half of `half_on_kerb` widen a carriageway "
+           "that has no `width`, and lanes lie beside the cars. `:orientation`, `:width` and "
+           "`:surface` say what bays are like, else they are 2.00 m deep, 4.60 m if diagonal and "
+           "4.30 m if perpendicular; with `markings` and "
            "`:markings = yes` there are lines between them."),
        flag_key(
            "rails", ground.rails,
