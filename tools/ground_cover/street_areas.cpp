@@ -116,6 +116,7 @@ class StreetAreas {
       return;
     }
     if (tag_of(way.tags, "area") == "yes") return;  // an outline, which add_land takes
+    count_earthworks(way.tags, line);
     const roads::RoadClass& road = *carriageway->road_class;
     const GroundKind kind = find_kind(way.tags, road);
     const double half_m = carriageway->width_m / 2;
@@ -144,6 +145,15 @@ class StreetAreas {
           lane && lane->place == roads::ParkingPlace::street_side)
         return true;
     return false;
+  }
+
+  // The map does not say how high embankments are, or how deep cuttings: a ground that is measured
+  // has them, and on any other a height would be made up.
+  void count_earthworks(const osm::OsmTags& tags, const std::vector<glm::dvec2>& line) {
+    for (const char* key : {"embankment", "cutting"})
+      if (const std::string value = tag_of(tags, key); !value.empty() && value != "no")
+        cover_.left_out_m[std::string("slopes of a street with ") + key] +=
+            find_length_m(line, bounds_);
   }
 
   void read_parking(const osm::OsmTags& tags, const char* name, const std::vector<glm::dvec2>& line,
