@@ -165,8 +165,10 @@ class Builder {
       return false;
     }
     const bool goes_up = *at_end > *at_start;
-    if (const int said = read_incline(tags); said != 0 && (said > 0) != goes_up)
-      ++set_.report.assumed["direction, which the ground contradicts"];
+    if (const int said = read_incline(tags); said != 0 && (said > 0) != goes_up) {
+      leave_out("where the ground contradicts their incline", length_m);
+      return false;
+    }
     const auto [count, counted] = find_count(tags, rise_m, length_m, length_m / along.length_m());
     if (!goes_up) std::reverse(flight.line.begin(), flight.line.end());
     flight.width_m = width_m_;

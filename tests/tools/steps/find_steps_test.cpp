@@ -51,16 +51,14 @@ TEST(FindSteps, TagsSayHowManyTheyAreAndHowWide) {
   }
 }
 
-TEST(FindSteps, ADirectionThatTheGroundContradictsIsCounted) {
-  const auto contradictions = [](const char* incline) {
-    const auto assumed = find({make_way(up, {{"incline", incline}})}).report.assumed;
-    const auto found = assumed.find("direction, which the ground contradicts");
-    return found == assumed.end() ? 0 : found->second;
-  };
-  EXPECT_EQ(contradictions("up"), 0u);
-  EXPECT_EQ(contradictions("40%"), 0u);
-  EXPECT_EQ(contradictions("down"), 1u);
-  EXPECT_EQ(contradictions("-40%"), 1u);
+TEST(FindSteps, WhereTheGroundContradictsTheirInclineTheyArePaths) {
+  for (const char* incline : {"up", "40%"})
+    EXPECT_EQ(find({make_way(up, {{"incline", incline}})}).flights.size(), 1u) << incline;
+  for (const char* incline : {"down", "-40%"}) {
+    const StepSet set = find({make_way(up, {{"incline", incline}})});
+    EXPECT_TRUE(set.flights.empty()) << incline;
+    EXPECT_DOUBLE_EQ(set.report.left_out_m.at("where the ground contradicts their incline"), 8);
+  }
 }
 
 TEST(FindSteps, OnLevelGroundAndOnCliffsTheyArePaths) {
