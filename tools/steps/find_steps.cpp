@@ -29,6 +29,8 @@ constexpr double clear_m = 0.01;
 constexpr double min_flight_m = 0.5;
 // Steeper than this is a ladder: DIN 18065 allows stairs up to 45 degrees.
 constexpr double max_slope = 1.0;
+// Less steep than this are ramps (an assumption): treads would be over 3 m deep.
+constexpr double min_slope = 0.05;
 // Longer flights together are left out, and counted, m; a hostile map gets no more.
 constexpr double max_length_m = 1e6;
 
@@ -158,6 +160,10 @@ class Builder {
     const double rise_m = std::abs(*at_end - *at_start), low_m = std::min(*at_start, *at_end);
     if (rise_m < min_riser_m) {
       leave_out("on level ground, where they are a path", length_m);
+      return false;
+    }
+    if (rise_m < min_slope * length_m) {
+      leave_out("on ground less steep than 1 in 20, where they are a path", length_m);
       return false;
     }
     if (rise_m > max_slope * length_m) {

@@ -66,6 +66,11 @@ TEST(FindSteps, OnLevelGroundAndOnCliffsTheyArePaths) {
   const StepSet flat = find({make_way(up)}, level);
   EXPECT_TRUE(flat.flights.empty());
   EXPECT_DOUBLE_EQ(flat.report.left_out_m.at("on level ground, where they are a path"), 8);
+  const place::HeightAt gentle = [](const glm::dvec2& p) { return std::optional(0.03 * p.x); };
+  EXPECT_DOUBLE_EQ(
+      find({make_way(up)}, gentle)
+          .report.left_out_m.at("on ground less steep than 1 in 20, where they are a path"),
+      8);
   const place::HeightAt cliff = [](const glm::dvec2& p) { return std::optional(2 * p.x); };
   EXPECT_DOUBLE_EQ(find({make_way(up)}, cliff).report.left_out_m.at("steeper than stairs"), 8);
 }
