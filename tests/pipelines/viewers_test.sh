@@ -26,12 +26,14 @@ fail() {
   failures=$((failures + 1))
 }
 
-# Three scenes: geometry alone, with lamps and windows, and geometry with Draco.
+# Three scenes: geometry alone, with lamps and windows, and geometry with Draco. Without the horizon, which other programs
+# see and `inspect` does not count into a scene's bounds.
 "$nightbake" --quiet town --blocks 4 --out "$scratch" >/dev/null || exit 1
-head="[city]\nfiles = [\"town.gml\"]\n"
+horizon="[ground]\nhorizon = false\n"
+head="[city]\nfiles = [\"town.gml\"]\n$horizon"
 printf '%b[windows]\nlit = false\n' "$head" >"$scratch/plain.toml"
 printf '%b[windows]\nlit = false\n[output]\ndraco = true\n' "$head" >"$scratch/draco.toml"
-cp "$scratch/town.toml" "$scratch/lights.toml"
+{ cat "$scratch/town.toml"; printf '%b' "$horizon"; } >"$scratch/lights.toml"
 declare -A inspected
 for name in plain draco lights; do
   "$nightbake" --quiet run "$scratch/$name.toml" --out "$scratch/$name" >/dev/null || exit 1

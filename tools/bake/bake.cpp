@@ -29,6 +29,8 @@
 #include "tools/bake/stages/places_stage.h"
 #include "tools/bake/stages/traffic_stage.h"
 #include "tools/barriers/barrier_shape.h"
+#include "tools/steps/find_steps.h"
+#include "tools/steps/flight_shape.h"
 #include "tools/trees/find_trees.h"
 
 namespace nightcity::bake {
@@ -78,6 +80,7 @@ class Bake {
         city_.georeference(tiles_.empty() ? std::nullopt : std::optional(tiles_.middle()));
     build_bridges();
     build_barriers();
+    build_steps();
     report_.tiles = tiles_.write(georeference, city_, progress_);
     clock_.end_stage("tiles");
     build_horizon(georeference);
@@ -150,6 +153,24 @@ class Bake {
     clock_.end_stage("barriers");
   }
 
+  void build_steps() {
+    const CoverOptions& cover = options_.city.cover;
+    const auto extent = city_.terrain().extent();
+    if (!cover.streets || !cover.steps || !extent || report_.ground.has_roads ||
+        !city_.frame().has_lon_lat())
+      return;
+    steps::StepSet found =
+        steps::find_steps(city_.map().highways, city_.cover(), {extent->low, extent->high},
+                          city_.to_frame(), city_.height_at(), find_obstacles());
+    for (const steps::Flight& flight : found.flights) {
+      const std::vector<steps::Corners> surface = steps::make_shape(flight);
+      report_.steps.triangles += surface.size();
+      tiles_.add_steps(surface, flight.surface);
+    }
+    report_.steps.found = std::move(found.report);
+    clock_.end_stage("steps");
+  }
+
   void build_horizon(const Georeference& georeference) {
     if (!options_.city.cover.horizon) return;
     report_.horizon =
@@ -168,7 +189,7 @@ class Bake {
     clock_.end_stage("trees");
   }
 
-  // Returns where neither trees nor barriers stand: in buildings, and below bridges.
+  // Returns where neither trees, barriers nor steps stand: in buildings, and below bridges.
   place::InsideBuilding find_obstacles() const {
     return [this, inside = city_.inside_footprint()](const glm::dvec2& place) {
       return (inside && inside(place)) || city_.bridges().decks().covers(place);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/roads/parking_lane.h"
+
 namespace nightcity::ground_cover {
 namespace {
 
@@ -10,12 +12,14 @@ namespace {
 constexpr double clear_m = 5;
 // RMS-1: lines of parking bays are narrow ones, 0.12 m in towns.
 constexpr double bay_line_m = 0.12;
+// Half a car; what is narrower holds no lines.
+constexpr double min_bay_m = 0.9;
 
 using Stretch = std::pair<double, double>;
 
 // A side of a street with the lane along it.
 struct Lane {
-  ParkingBay bay;
+  roads::ParkingBay bay;
   double edge_m;     // of the bays, to the left of the way's middle: the one near to it
   double outward;    // 1 to the left, -1 to the right
   double direction;  // 1 where vehicles drive along the way on this side
@@ -63,9 +67,10 @@ void add_bay_lines(const osm::OsmWay& way, const roads::Carriageway& road,
                    const std::vector<glm::dvec2>& line, const Junctions& junctions,
                    bool on_the_left, Painter& painter) {
   for (const bool left : {true, false}) {
-    const auto parking = read_parking_lane(way.tags, left ? "left" : "right");
+    const auto parking = roads::read_parking_lane(way.tags, left ? "left" : "right");
     if (!parking || !parking->marked) continue;
-    if (parking->place == ParkingPlace::on_kerb || parking->place == ParkingPlace::half_on_kerb) {
+    if (parking->place == roads::ParkingPlace::on_kerb ||
+        parking->place == roads::ParkingPlace::half_on_kerb) {
       painter.leave_out("lines of parking bays on a pavement");
       continue;
     }
@@ -74,8 +79,15 @@ void add_bay_lines(const osm::OsmWay& way, const roads::Carriageway& road,
               left == on_the_left ? 1.0 : -1.0};
     if (road.lanes[0] == 0) lane.direction = -1;
     if (road.lanes[1] == 0) lane.direction = 1;
-    const bool is_inside = parking->place == ParkingPlace::lane;
-    if (is_inside) lane.edge_m -= outward * lane.bay.depth_m;
+    const bool is_inside = parking->place == roads::ParkingPlace::lane;
+    if (is_inside) {
+      lane.bay.set_depth(road.parked_m[left ? 0 : 1]);
+      if (lane.bay.depth_m < min_bay_m) {
+        painter.leave_out("lines of a parking lane for which the carriageway is too narrow");
+        continue;
+      }
+      lane.edge_m -= outward * lane.bay.depth_m;
+    }
     const MeasuredLine along(line);
     for (const Stretch& stretch : find_parking_stretches(way, along, line.size(), junctions)) {
       add_lines(lane, stretch, along, painter);

@@ -8,7 +8,7 @@
 #include "tools/ground_cover/junctions.h"
 #include "tools/ground_cover/measured_line.h"
 #include "tools/ground_cover/painter.h"
-#include "tools/ground_cover/parking_lane.h"
+#include "tools/roads/carriageway.h"
 
 namespace nightcity::ground_cover {
 

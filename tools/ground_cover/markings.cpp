@@ -33,7 +33,7 @@ void add_lane_lines(const osm::OsmWay& way, const roads::Carriageway& road,
   if (line.size() != way.lon_lat.size()) return;
   const MeasuredLine along(line);
   const int lanes = road.lanes[0] + road.lanes[1];
-  const double edge_m = -lanes * road.lane_m() / 2;
+  const double edge_m = road.lanes_left_m() - lanes * road.lane_m() / 2;
   std::vector<double> junctions_m;
   for (std::size_t i = 0; i < line.size(); ++i)
     if (junctions.holds(way.lon_lat[i])) junctions_m.push_back(along.at(i));

@@ -79,7 +79,7 @@ void StopLines::paint(const roads::Carriageway& road, const MeasuredLine& along,
                width_m = road.lanes[against ? 1 : 0] * road.lane_m();
   // Lanes along the way lie to its right where vehicles keep to the right.
   const bool on_right = on_the_left_ == against;
-  const double right_m = on_right ? -whole_m / 2 : whole_m / 2 - width_m;
+  const double right_m = road.lanes_left_m() + (on_right ? -whole_m / 2 : whole_m / 2 - width_m);
   if (tag_of(tags, "highway") != "give_way")
     return painter_.add("stop line",
                         along.make_strip(from_m, from_m + stop_line_m, right_m, right_m + width_m));

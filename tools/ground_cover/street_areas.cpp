@@ -11,11 +11,11 @@
 #include "tools/ground_cover/clip_segment.h"
 #include "tools/ground_cover/junctions.h"
 #include "tools/ground_cover/measured_line.h"
-#include "tools/ground_cover/parking_lane.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
 #include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
+#include "tools/roads/parking_lane.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -26,7 +26,7 @@ using Side = Widener::Side;
 struct Roadside {
   double bay_m = 0, track_m = 0, pavement_m = 0;
   bool assumed = false;
-  std::optional<ParkingLane> parking{};
+  std::optional<roads::ParkingLane> parking{};
   double width_m() const { return bay_m + track_m + pavement_m; }
 };
 
@@ -70,9 +70,9 @@ GroundKind guess_surface(const roads::RoadClass& road) {
 }
 
 // Makes room for the cars that park along one side.
-void add_parking(const ParkingLane& lane, Roadside& side) {
+void add_parking(const roads::ParkingLane& lane, Roadside& side) {
   side.parking = lane;
-  if (lane.place == ParkingPlace::street_side)
+  if (lane.place == roads::ParkingPlace::street_side)
     side.bay_m = lane.beyond_edge_m();
   else
     side.pavement_m = std::max(side.pavement_m, lane.beyond_edge_m());
@@ -116,6 +116,7 @@ class StreetAreas {
       return;
     }
     if (tag_of(way.tags, "area") == "yes") return;  // an outline, which add_land takes
+    count_earthworks(way.tags, line);
     const roads::RoadClass& road = *carriageway->road_class;
     const GroundKind kind = find_kind(way.tags, road);
     const double half_m = carriageway->width_m / 2;
@@ -124,6 +125,7 @@ class StreetAreas {
       add(line, half_m, Side::both, path_rank, {kind, sunken, marked});
       return;
     }
+    if (carriageway->is_widened) ++cover_.assumed["width of a street on which cars park"];
     add(line, half_m, Side::both, carriageway_rank + road.rank, {kind, road.kerbed, true});
     Roadside left = read_roadside(way.tags, road, "left"),
              right = read_roadside(way.tags, road, "right");
@@ -139,17 +141,26 @@ class StreetAreas {
  private:
   static bool has_bays(const osm::OsmWay& way) {
     for (const char* side : {"left", "right"})
-      if (const auto lane = read_parking_lane(way.tags, side);
-          lane && lane->place == ParkingPlace::street_side)
+      if (const auto lane = roads::read_parking_lane(way.tags, side);
+          lane && lane->place == roads::ParkingPlace::street_side)
         return true;
     return false;
   }
 
+  // The map does not say how high embankments are, or how deep cuttings: a ground that is measured
+  // has them, and on any other a height would be made up.
+  void count_earthworks(const osm::OsmTags& tags, const std::vector<glm::dvec2>& line) {
+    for (const char* key : {"embankment", "cutting"})
+      if (const std::string value = tag_of(tags, key); !value.empty() && value != "no")
+        cover_.left_out_m[std::string("slopes of a street with ") + key] +=
+            find_length_m(line, bounds_);
+  }
+
   void read_parking(const osm::OsmTags& tags, const char* name, const std::vector<glm::dvec2>& line,
                     Roadside& side) {
-    if (is_parking_separate(tags, name))
+    if (roads::is_parking_separate(tags, name))
       cover_.left_out_m["parking lanes mapped as areas"] += find_length_m(line, bounds_);
-    const auto lane = read_parking_lane(tags, name);
+    const auto lane = roads::read_parking_lane(tags, name);
     if (!lane) return;
     cover_.parking_m[lane->name()] += find_length_m(line, bounds_);
     if (lane->orientation_assumed) ++cover_.assumed["orientation of parked cars"];
@@ -164,7 +175,7 @@ class StreetAreas {
     for (const Roadside* side : {&left, &right}) {
       if (!(side->bay_m > 0)) continue;
       Surface surface = carriageway;
-      surface.kind = side->parking->surface.value_or(surface.kind);
+      surface.kind = find_surface(side->parking->surface).value_or(surface.kind);
       for (const auto& [from_m, to_m] :
            find_parking_stretches(way, along, line.size(), *junctions_))
         add(along.cut(from_m, to_m), half_m + side->bay_m, side == &left ? Side::left : Side::right,

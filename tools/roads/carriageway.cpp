@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "tools/osm/tag_values.h"
+#include "tools/roads/parking_lane.h"
 
 namespace nightcity::roads {
 namespace {
@@ -67,12 +68,30 @@ int read_lanes(const osm::OsmTags& tags, Carriageway& carriageway) {
   return forward ? std::max(lanes, carriageway.lanes[0] + carriageway.lanes[1]) : lanes;
 }
 
+void read_parking(const osm::OsmTags& tags, Carriageway& carriageway) {
+  constexpr const char* sides[] = {"left", "right"};
+  for (std::size_t side = 0; side < 2; ++side)
+    if (const auto lane = read_parking_lane(tags, sides[side]))
+      carriageway.parked_m[side] = lane->within_edge_m();
+}
+
+/// Leaves the lanes that are driven on their least width.
+void limit_parking(Carriageway& carriageway) {
+  double(&parked_m)[2] = carriageway.parked_m;
+  const double wanted_m = parked_m[0] + parked_m[1],
+               room_m =
+                   carriageway.width_m - min_lane_m * (carriageway.lanes[0] + carriageway.lanes[1]);
+  if (wanted_m <= room_m) return;
+  for (double& side_m : parked_m) side_m *= room_m / wanted_m;
+}
+
 }  // namespace
 
 double Carriageway::lane_m() const {
   const int driven = lanes[0] + lanes[1];
   if (driven == 0) return 0;
-  return std::clamp((width_m - road_class->shoulder_m) / driven, min_lane_m, max_lane_m);
+  const double free_m = width_m - parked_m[0] - parked_m[1];
+  return std::clamp((free_m - road_class->shoulder_m) / driven, min_lane_m, max_lane_m);
 }
 
 std::optional<Carriageway> read_carriageway(const osm::OsmTags& tags) {
@@ -86,14 +105,19 @@ std::optional<Carriageway> read_carriageway(const osm::OsmTags& tags) {
   const bool path = road.tier == RoadTier::path;
   const int lanes = path ? 1 : read_lanes(tags, carriageway);
   carriageway.width_m = lanes == 1 ? road.single_lane_m : lanes * road.lane_m + road.shoulder_m;
+  if (!path) read_parking(tags, carriageway);
+  carriageway.width_m += carriageway.parked_m[0] + carriageway.parked_m[1];
   const double min_width_m = path ? 1 : 2;  // less is a slip of the pen
   if (const auto width = osm::parse_length_m(raw(tags, "width"));
       width && *width >= min_width_m && *width <= max_width_m)
     carriageway.width_m = *width;
+  else
+    carriageway.is_widened = carriageway.parked_m[0] + carriageway.parked_m[1] > 0;
   // A street tagged narrower than its lanes is a street for one car, whose drivers pass each other
   // slowly.
   carriageway.width_m =
       std::max(carriageway.width_m, min_lane_m * (carriageway.lanes[0] + carriageway.lanes[1]));
+  limit_parking(carriageway);
   return carriageway;
 }
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "tools/random.h"
+#include "tools/town/approaches.h"
 #include "tools/town/roads.h"
 
 namespace nightcity::town {
@@ -15,8 +17,9 @@ namespace {
 
 using glm::dvec2;
 
-constexpr std::int64_t first_lamp_id = 4000000000, first_way_id = 90000000;
-
+constexpr std::int64_t first_lamp_id = 4000000000, first_way_id = 90000000,
+                       first_approach_id = 5000000000, first_corner_id = 7000000000,
+                       first_area_id = 190000000;
 /// A luminaire post before it is written.
 struct Post {
   dvec2 at;
@@ -42,8 +45,18 @@ class OsmWriter {
       open_node(path_node_id(s, 0), s.from) << "/>\n";
       open_node(path_node_id(s, 1), s.to) << "/>\n";
     });
+    for_each_stretch(streets_, [&](const Stretch& s) {
+      for (const Approach& approach : find_approaches(streets_, s, options_.seed))
+        write_approach(s, approach);
+    });
+    for_each_area([&](int i, int j, BlockUse) {
+      const Quad corners = streets_.kerb(i, j);
+      for (int k = 0; k < 4; ++k)
+        open_node(corner_id(i, j, k), corners[static_cast<std::size_t>(k)]) << "/>\n";
+    });
     const std::size_t lamps = write_lamps();
     write_ways();
+    for_each_area([&](int i, int j, BlockUse use) { write_area(i, j, use); });
     out_ << "</osm>\n";
     return lamps;
   }
@@ -54,6 +67,86 @@ class OsmWriter {
   }
   std::int64_t path_node_id(const Stretch& s, int end) const {
     return 2000000000 + 2 * (static_cast<std::int64_t>(s.j) * streets_.columns() + s.i) + end;
+  }
+
+  std::int64_t corner_id(int i, int j, int corner) const {
+    return first_corner_id + (static_cast<std::int64_t>(j) * streets_.columns() + i) * 4 + corner;
+  }
+
+  std::int64_t approach_id(const Stretch& s, const Approach& approach) const {
+    return first_approach_id +
+           ((static_cast<std::int64_t>(s.axis) * (streets_.rows() + 1) + s.j) *
+                (streets_.columns() + 1) +
+            s.i) *
+               max_approaches +
+           approach.number;
+  }
+
+  void write_approach(const Stretch& s, const Approach& approach) {
+    open_node(approach_id(s, approach), approach.at) << ">\n";
+    const char* direction = approach.at_end ? "forward" : "backward";
+    switch (approach.kind) {
+      case Approach::Kind::zebra:
+        tag("highway", "crossing");
+        tag("crossing", "zebra");
+        break;
+      case Approach::Kind::crossing_at_signals:
+        tag("highway", "crossing");
+        tag("crossing", "traffic_signals");
+        tag("crossing:markings", "zebra");
+        break;
+      case Approach::Kind::unmarked_crossing:
+        tag("highway", "crossing");
+        tag("crossing", "unmarked");
+        tag("kerb", "lowered");
+        break;
+      case Approach::Kind::signals:
+        tag("highway", "traffic_signals");
+        tag("traffic_signals:direction", direction);
+        break;
+      case Approach::Kind::give_way:
+        tag("highway", "give_way");
+        tag("direction", direction);
+        break;
+    }
+    out_ << "</node>\n";
+  }
+
+  /// Visits the blocks whose ground is not that of gardens and yards, which maps say nothing of.
+  template <class Visit>
+  void for_each_area(const Visit& visit) const {
+    for (int j = 0; j < streets_.rows(); ++j)
+      for (int i = 0; i < streets_.columns(); ++i)
+        if (const BlockUse use = streets_.use(i, j);
+            use == BlockUse::market || use == BlockUse::park || use == BlockUse::slabs ||
+            use == BlockUse::hall)
+          visit(i, j, use);
+  }
+
+  /// An area reaches to the kerbs of its block: pavements lie over it.
+  void write_area(int i, int j, BlockUse use) {
+    out_ << "<way id=\"" << first_area_id + static_cast<std::int64_t>(j) * streets_.columns() + i
+         << "\" version=\"1\">\n";
+    for (const int k : {0, 1, 2, 3, 0}) out_ << "<nd ref=\"" << corner_id(i, j, k) << "\"/>\n";
+    switch (use) {
+      case BlockUse::market:
+        tag("highway", "pedestrian");
+        tag("area", "yes");
+        tag("name", "Market Square");
+        tag("surface", "paving_stones");
+        break;
+      case BlockUse::park:
+        tag("leisure", "park");
+        break;
+      case BlockUse::slabs:
+        tag("landuse", "grass");
+        break;
+      default:
+        tag("amenity", "parking");
+        tag("surface", "concrete");
+        break;
+    }
+    out_ << "</way>\n";
   }
 
   TextFile& open_node(std::int64_t id, const dvec2& p) {
@@ -188,7 +281,13 @@ class OsmWriter {
       int end = first + 1;
       while (end < count && end - first < 8 && class_of(end) == class_of(first)) ++end;
       out_ << "<way id=\"" << id++ << "\" version=\"1\">\n";
-      for (int n = first; n <= end; ++n) out_ << "<nd ref=\"" << node_of(n) << "\"/>\n";
+      for (int n = first; n <= end; ++n) {
+        out_ << "<nd ref=\"" << node_of(n) << "\"/>\n";
+        if (n == end) break;
+        const Stretch s = find_stretch(streets_, axis == 0 ? n : line, axis == 0 ? line : n, axis);
+        for (const Approach& approach : find_approaches(streets_, s, options_.seed))
+          out_ << "<nd ref=\"" << approach_id(s, approach) << "\"/>\n";
+      }
       way_tags(class_of(first), axis, line, first);
       out_ << "</way>\n";
       first = end;
@@ -201,11 +300,13 @@ class OsmWriter {
     tag("name", (axis == 0 ? "Row Street " : "Column Street ") + std::to_string(line + 1));
     if (random.chance(0.4)) tag("lit", random.chance(0.9) ? "yes" : "automatic");
     const StreetSize size = size_of(street);
-    if (random.chance(0.12)) {
-      const auto decimetres = static_cast<int>(std::lround(size.carriageway_m * 10));
-      const std::string metres =
-          std::to_string(decimetres / 10) + "." + std::to_string(decimetres % 10);
-      tag("width", random.chance(0.6) ? metres : metres + " m");
+    // A pedestrian street is paved from wall to wall.
+    const bool driven = is_driven(street);
+    const std::string metres = in_metres(size.carriageway_m + (driven ? 0 : 2 * size.pavement_m));
+    tag("width", random.chance(0.6) ? metres : metres + " m");
+    if (driven) {
+      tag("sidewalk", "both");
+      tag("sidewalk:both:width", in_metres(size.pavement_m));
     }
     if (random.chance(0.2))
       tag("lanes", size.carriageway_m > 10 ? "3" : size.carriageway_m > 5 ? "2" : "1");
@@ -215,9 +316,33 @@ class OsmWriter {
       const bool main_road = street == StreetClass::primary || street == StreetClass::secondary;
       tag("maxspeed", main_road ? fast[random.integer(0, 4)] : slow[random.integer(0, 4)]);
     }
-    if (street == StreetClass::residential && random.chance(0.25))
-      tag("oneway", random.chance(0.9) ? "yes" : "-1");
+    const bool one_way = street == StreetClass::residential && random.chance(0.25);
+    if (one_way) tag("oneway", random.chance(0.9) ? "yes" : "-1");
+    parking_tags(street, one_way, random);
     if (random.chance(0.5)) tag("surface", random.chance(0.7) ? "asphalt" : "sett");
+  }
+
+  /// Cars park where a carriageway has room for them beside its lanes, in the tags of both schemes.
+  void parking_tags(StreetClass street, bool one_way, Random& random) {
+    const bool has_room = street == StreetClass::secondary || street == StreetClass::tertiary ||
+                          street == StreetClass::residential;
+    if (!has_room || !random.chance(0.7)) return;
+    const std::string side = random.chance(0.5) ? "left" : "right";
+    if (street == StreetClass::residential && !one_way) {
+      tag("parking:" + side, "half_on_kerb");
+      tag("parking:" + side + ":orientation", "parallel");
+    } else if (random.chance(0.7)) {
+      tag("parking:" + side, "lane");
+      tag("parking:" + side + ":orientation", "parallel");
+      if (random.chance(0.7)) tag("parking:" + side + ":markings", "yes");
+    } else {
+      tag("parking:lane:" + side, "parallel");
+    }
+  }
+
+  static std::string in_metres(double metres) {
+    const auto decimetres = static_cast<int>(std::lround(metres * 10));
+    return std::to_string(decimetres / 10) + "." + std::to_string(decimetres % 10);
   }
 
   TextFile& out_;

@@ -55,30 +55,6 @@ class Drape {
   const Hills& hills_;
 };
 
-/// Finds the blocks left and right of a stretch and their kerbs, which run from its start to its
-/// end.
-Stretch stretch_of(const StreetPlan& streets, int i, int j, int axis) {
-  Stretch s;
-  s.i = i;
-  s.j = j;
-  s.axis = axis;
-  if (axis ==
-      0) {  // row street (i, j) to (i + 1, j): block (i, j) on the left, (i, j - 1) on the right
-    const Quad left = streets.kerb(i, j), right = streets.kerb(i, j - 1);
-    s.kerb_left[0] = left[0], s.kerb_left[1] = left[1];
-    s.kerb_right[0] = right[3], s.kerb_right[1] = right[2];
-    s.street = streets.row_street(i, j);
-  } else {  // column street (i, j) to (i, j + 1): block (i - 1, j) on the left, (i, j) on the right
-    const Quad left = streets.kerb(i - 1, j), right = streets.kerb(i, j);
-    s.kerb_left[0] = left[1], s.kerb_left[1] = left[2];
-    s.kerb_right[0] = right[0], s.kerb_right[1] = right[3];
-    s.street = streets.column_street(i, j);
-  }
-  s.from = (s.kerb_left[0] + s.kerb_right[0]) * 0.5;
-  s.to = (s.kerb_left[1] + s.kerb_right[1]) * 0.5;
-  return s;
-}
-
 /// The diagonal path through a park, from the pavement of its south-west to that of its north-east
 /// corner.
 Stretch path_of(const StreetPlan& streets, int i, int j) {
@@ -111,11 +87,33 @@ RoadPlan road_of(const Stretch& s, const char* kind) {
 
 }  // namespace
 
+Stretch find_stretch(const StreetPlan& streets, int i, int j, int axis) {
+  Stretch s;
+  s.i = i;
+  s.j = j;
+  s.axis = axis;
+  if (axis ==
+      0) {  // row street (i, j) to (i + 1, j): block (i, j) on the left, (i, j - 1) on the right
+    const Quad left = streets.kerb(i, j), right = streets.kerb(i, j - 1);
+    s.kerb_left[0] = left[0], s.kerb_left[1] = left[1];
+    s.kerb_right[0] = right[3], s.kerb_right[1] = right[2];
+    s.street = streets.row_street(i, j);
+  } else {  // column street (i, j) to (i, j + 1): block (i - 1, j) on the left, (i, j) on the right
+    const Quad left = streets.kerb(i - 1, j), right = streets.kerb(i, j);
+    s.kerb_left[0] = left[1], s.kerb_left[1] = left[2];
+    s.kerb_right[0] = right[0], s.kerb_right[1] = right[3];
+    s.street = streets.column_street(i, j);
+  }
+  s.from = (s.kerb_left[0] + s.kerb_right[0]) * 0.5;
+  s.to = (s.kerb_left[1] + s.kerb_right[1]) * 0.5;
+  return s;
+}
+
 void for_each_stretch(const StreetPlan& streets, const std::function<void(const Stretch&)>& visit) {
   for (int j = 0; j <= streets.rows(); ++j)
-    for (int i = 0; i < streets.columns(); ++i) visit(stretch_of(streets, i, j, 0));
+    for (int i = 0; i < streets.columns(); ++i) visit(find_stretch(streets, i, j, 0));
   for (int i = 0; i <= streets.columns(); ++i)
-    for (int j = 0; j < streets.rows(); ++j) visit(stretch_of(streets, i, j, 1));
+    for (int j = 0; j < streets.rows(); ++j) visit(find_stretch(streets, i, j, 1));
   for (int j = 0; j < streets.rows(); ++j)
     for (int i = 0; i < streets.columns(); ++i)
       if (streets.use(i, j) == BlockUse::park) visit(path_of(streets, i, j));

@@ -36,6 +36,9 @@ struct Stretch {
   int i = 0, j = 0, axis = 0;
 };
 
+/// Returns the stretch from node (i, j) along a row street (axis 0) or a column street (axis 1).
+Stretch find_stretch(const StreetPlan& streets, int i, int j, int axis);
+
 /// Visits every stretch of street, row streets first, in a fixed order; then the paths through the
 /// parks.
 void for_each_stretch(const StreetPlan& streets, const std::function<void(const Stretch&)>& visit);

@@ -56,7 +56,7 @@ void write_recipe(const std::filesystem::path& path) {
   TextFile out(path);
   out << "# A synthetic town, made by `nightbake town`. Bake it: nightbake run town.toml --out "
          "DIR\n"
-         "[city]\nfiles = [\"town.gml\"]\n\n[osm]\nfiles = [\"town.osm\"]\n\n"
+         "[city]\nfiles = [\"town.gml\"]\nroads = \"map\"\n\n[osm]\nfiles = [\"town.osm\"]\n\n"
          "[traffic]\n";
   out.finish();
 }

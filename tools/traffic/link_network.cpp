@@ -78,9 +78,9 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
                          bend_radius_m * std::tan(std::min(bend, 2.4) / 2), 5 * aside});
     } else if (angle < 2.6) {
       const double least = std::max(angle, 0.25);
-      const double clear =
-          (other.half_width_m + own.half_width_m * std::max(std::cos(least), 0.0)) /
-          std::sin(std::min(least, 1.5708));
+      const double clear = (other.half_width_m + std::abs(other.middle_m) +
+                            own.half_width_m * std::max(std::cos(least), 0.0)) /
+                           std::sin(std::min(least, 1.5708));
       result = std::max(result, clear + corner_m);
     }
   };

@@ -28,7 +28,8 @@ bool runs_through_building(const RoadEdge& edge, const place::InsideBuilding& in
     const double reach = std::max(0.0, edge.half_width_m - 0.5);
     for (int k = 0; k <= looks; ++k)
       for (const double side : {-reach, 0.0, reach})
-        if (inside(edge.line[n] + step * (static_cast<double>(k) / looks) + right * side))
+        if (inside(edge.line[n] + step * (static_cast<double>(k) / looks) +
+                   right * (edge.middle_m + side)))
           return true;
   }
   return false;
@@ -62,6 +63,7 @@ class GraphBuilder {
     along.traffic = way.traffic;
     along.lane_m = carriageway.lane_m();
     along.half_width_m = along.lane_m * (carriageway.lanes[0] + carriageway.lanes[1]) / 2;
+    along.middle_m = -carriageway.lanes_left_m();
     along.one_way = !way.both_ways();
     along.roundabout = carriageway.roundabout;
     along.structure = way.structure;
@@ -77,6 +79,7 @@ class GraphBuilder {
     RoadEdge against = along;
     std::swap(against.from, against.to);
     std::reverse(against.line.begin(), against.line.end());
+    against.middle_m = -along.middle_m;
     std::size_t numbers[2] = {none, none};
     for (std::size_t d = 0; d < 2; ++d) {
       if (carriageway.lanes[d] == 0) continue;
@@ -146,7 +149,7 @@ void mark_borders(RoadGraph& graph, const std::vector<bool>& was_cut) {
 
 double RoadEdge::lane_offset(int lane, Side side) const {
   const double to_kerb = half_width_m - (lane + 0.5) * lane_m;
-  return side == Side::right ? to_kerb : -to_kerb;
+  return middle_m + (side == Side::right ? to_kerb : -to_kerb);
 }
 
 double RoadGraph::lane_km() const {

@@ -26,9 +26,12 @@ struct RoadEdge {
   const TrafficClass* traffic = nullptr;
   int lanes = 1;
   double lane_m = 3;  // width of a lane
-  // Half the width of all lanes, both directions together: vehicles keep within it, and it is never
-  // more than half the carriageway.
+  // Half the width of all lanes, both directions together: vehicles keep within it, around middle_m,
+  // and no lane reaches beyond the carriageway.
   double half_width_m = 3;
+  // By which the middle of all lanes lies to the right of the line: not 0 where cars park on one
+  // side alone.
+  double middle_m = 0;
   double speed_m_s = 0;  // limit
   bool one_way = false, roundabout = false;
   bool structure = false;  // bridge or tunnel: not on the ground

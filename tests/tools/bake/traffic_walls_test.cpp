@@ -26,6 +26,7 @@ struct TownWithTraffic {
     const test::TempFolder folder;
     town::write_town({}, folder.path());
     BakeOptions options = to_bake_options(read_recipe(folder / "town.toml"));
+    options.city.drops_roads = false;
     options.traffic.vehicles = 80;
     options.traffic.cycle_s = 200;
     if (!with_map) options.city.maps.clear();

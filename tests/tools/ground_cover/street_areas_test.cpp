@@ -243,5 +243,16 @@ TEST(StreetAreas, HostileWaysEndWithACount) {
   areas_of(cover, middle);
 }
 
+TEST(StreetAreas, StreetsOnEmbankmentsLieOnTheGroundAndAreCounted) {
+  Cover cover;
+  const std::vector<osm::OsmWay> ways{
+      way({{-100, 0}, {100, 0}}, {{"highway", "primary"}, {"embankment", "yes"}}),
+      way({{-600, 90}, {100, 90}}, {{"highway", "primary"}, {"cutting", "left"}}),
+      way({{-100, -90}, {100, -90}}, {{"highway", "primary"}, {"cutting", "no"}})};
+  add_streets(ways, true, as_metres, bounds, cover);
+  EXPECT_NEAR(cover.left_out_m.at("slopes of a street with embankment"), 200, 1e-9);
+  EXPECT_NEAR(cover.left_out_m.at("slopes of a street with cutting"), 600, 1e-9);
+}
+
 }  // namespace
 }  // namespace nightcity::ground_cover

@@ -60,9 +60,18 @@ TEST(StreetParking, BaysEndBeforeJunctionsAndAtEntrances) {
               carriageway_m2 + (100 - 4.4) * 2, 0.2);
 }
 
-TEST(StreetParking, ALaneLiesWithinTheCarriageway) {
-  const Cover with = make_street({{"parking:lane:both", "parallel"}}), without = make_street({});
+TEST(StreetParking, ALaneWidensACarriagewayWhoseWidthNobodySays) {
+  const Cover cover = make_street({{"parking:lane:both", "parallel"}});
+  EXPECT_NEAR(areas_of(cover, middle).at("asphalt"), 100 * (5.5 + 2 * 2.0), 0.2);
+  EXPECT_NEAR(areas_of(cover, middle).at("paving stones"), 100 * 2 * 2.5, 0.3);
+  EXPECT_EQ(cover.assumed.at("width of a street on which cars park"), 1u);
+}
+
+TEST(StreetParking, ALaneLiesWithinACarriagewayWhoseWidthIsTagged) {
+  const Cover with = make_street({{"parking:lane:both", "parallel"}, {"width", "10"}}),
+              without = make_street({{"width", "10"}});
   EXPECT_EQ(areas_of(with, middle), areas_of(without, middle));
+  EXPECT_FALSE(with.assumed.contains("width of a street on which cars park"));
   EXPECT_NEAR(with.parking_m.at("lane, parallel"), 800, 1e-9);
 }
 
@@ -96,9 +105,16 @@ TEST(StreetParking, MarkedBaysHaveLinesBetweenThem) {
 
 TEST(StreetParking, ALaneThatIsMarkedHasALineAlongIt) {
   const Cover cover = make_street({{"parking:lane:left", "marked"}});
-  EXPECT_NEAR(areas_of(cover, {{-1, 0.6}, {1, 0.9}}).at("paint"), 2 * 0.12, 0.02)
-      << "two metres within the carriageway of 5.5 m";
+  EXPECT_NEAR(areas_of(cover, {{-1, 1.6}, {1, 1.9}}).at("paint"), 2 * 0.12, 0.02)
+      << "two metres within the carriageway of 7.5 m";
   EXPECT_EQ(cover.markings.at("line between parking bays"), 71u) << "400 m hold 70 bays of 5.70 m";
+}
+
+TEST(StreetParking, LinesBetweenLanesLieBetweenThoseThatAreDriven) {
+  const Cover cover = make_street({{"highway", "tertiary"}, {"parking:right", "lane"}});
+  // The carriageway reaches 4 m to each side, and cars park on the last two to the right.
+  EXPECT_NEAR(areas_of(cover, {{-50, 0.9}, {50, 1.1}}).at("paint"), 100 / 9.0 * 3 * 0.12, 0.8);
+  EXPECT_FALSE(areas_of(cover, {{-50, -0.5}, {50, 0.5}}).contains("paint"));
 }
 
 TEST(StreetParking, DiagonalBaysLeanTheWayThatVehiclesDrive) {

@@ -36,7 +36,8 @@ TEST(Kerb, PostsStandBehindTheKerbThatVehiclesKeepToOnEveryClassOfRoad) {
            {osm::OsmTags{}, osm::OsmTags{{"lanes", "1"}}, osm::OsmTags{{"lanes", "3"}},
             osm::OsmTags{{"lanes", "4"}}, osm::OsmTags{{"width", "2.5"}},
             osm::OsmTags{{"width", "7"}}, osm::OsmTags{{"width", "14"}},
-            osm::OsmTags{{"width", "24"}, {"lanes", "2"}}}) {
+            osm::OsmTags{{"width", "24"}, {"lanes", "2"}}, osm::OsmTags{{"parking:right", "lane"}},
+            osm::OsmTags{{"parking:lane:both", "parallel"}, {"width", "5"}}}) {
         osm::OsmTags tags = more;
         tags["highway"] = road.highway;
         tags["lit"] = "yes";

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/roads/parking_lane.h"
+
 namespace nightcity::roads {
 namespace {
 
@@ -30,6 +32,47 @@ TEST(Carriageway, WidthComesFromItsTagThenTheLanesThenTheClass) {
   EXPECT_DOUBLE_EQ(width_of("primary", {{"lanes", "4"}, {"width", "15.5 m"}}), 15.5);
   EXPECT_DOUBLE_EQ(width_of("residential", {{"width", "9999"}, {"lanes", "many"}}), 5.5);
   EXPECT_DOUBLE_EQ(width_of("primary", {{"lanes:forward", "2"}, {"lanes:backward", "1"}}), 9.75);
+}
+
+TEST(Carriageway, ParkedCarsWidenItWhereNoTagGivesItsWidth) {
+  const osm::OsmTags both{{"parking:both", "lane"}, {"parking:both:orientation", "parallel"}};
+  EXPECT_DOUBLE_EQ(width_of("residential", both), 5.5 + 2 * 2.0);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"lanes", "1"}, {"parking:left", "lane"}}), 3.5 + 2.0);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"parking:lane:right", "perpendicular"}}), 5.5 + 4.3);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"parking:right", "half_on_kerb"}}), 5.5 + 1.0);
+  EXPECT_DOUBLE_EQ(
+      width_of("residential", {{"parking:right", "lane"}, {"parking:right:width", "3"}}),
+      5.5 + 3.0);
+  for (const char* elsewhere : {"on_kerb", "street_side", "separate", "no"})
+    EXPECT_DOUBLE_EQ(width_of("residential", {{"parking:both", elsewhere}}), 5.5) << elsewhere;
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"parking:both", "lane"}, {"width", "9"}}), 9);
+  EXPECT_DOUBLE_EQ(width_of("footway", both), 2.5);
+  EXPECT_TRUE(read_carriageway({{"highway", "residential"}, {"parking:both", "lane"}})->is_widened);
+  EXPECT_FALSE(
+      read_carriageway({{"highway", "residential"}, {"parking:both", "lane"}, {"width", "9"}})
+          ->is_widened);
+  osm::OsmTags dropped = both;
+  drop_parking(dropped);
+  EXPECT_TRUE(dropped.empty());
+}
+
+TEST(Carriageway, LanesLieBesideParkedCars) {
+  const auto street = [](osm::OsmTags tags) {
+    tags["highway"] = "residential";
+    return *read_carriageway(tags);
+  };
+  const Carriageway right = street({{"parking:right", "lane"}});
+  EXPECT_DOUBLE_EQ(right.lane_m(), 2.75);
+  EXPECT_DOUBLE_EQ(right.lanes_left_m(), 1.0);
+  // The lanes reach from where the cars stand to the left kerb.
+  EXPECT_DOUBLE_EQ(right.lanes_left_m() + right.lane_m(), right.width_m / 2);
+  EXPECT_DOUBLE_EQ(street({{"parking:both", "lane"}}).lanes_left_m(), 0);
+  // A street of 6 m leaves 1.6 m beside two lanes of 2.2 m, and the sides share that.
+  const Carriageway narrow = street({{"parking:both", "lane"}, {"width", "6"}});
+  EXPECT_DOUBLE_EQ(narrow.lane_m(), min_lane_m);
+  EXPECT_DOUBLE_EQ(narrow.parked_m[0], 0.8);
+  EXPECT_DOUBLE_EQ(narrow.parked_m[1], 0.8);
+  EXPECT_DOUBLE_EQ(street({{"parking:left", "lane"}, {"width", "3"}}).parked_m[0], 0);
 }
 
 TEST(Carriageway, HoldsTheLanesThatAreDrivenOn) {

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "formats/error.h"
+#include "tools/town/street_plan.h"
 
 namespace nightcity::town {
 namespace {
@@ -141,7 +142,7 @@ TEST(Town, OsmWaysReferToNodesOfTheFileAndMostLampsAreBare) {
   std::size_t lamps = 0, bare = 0;
   for (const pugi::xml_node& node : document.child("osm").children("node")) {
     EXPECT_TRUE(nodes.insert(node.attribute("id").value()).second);
-    if (!node.child("tag")) continue;
+    if (!node.find_child_by_attribute("tag", "v", "street_lamp")) continue;
     ++lamps;
     bare += std::distance(node.children("tag").begin(), node.children("tag").end()) == 1;
   }
@@ -155,6 +156,33 @@ TEST(Town, OsmWaysReferToNodesOfTheFileAndMostLampsAreBare) {
   }
   for (const char* key : {"highway", "lit", "width", "lanes", "maxspeed", "oneway", "name"})
     EXPECT_TRUE(keys.contains(key)) << key;
+}
+
+TEST(Town, StreetsOfTheMapAreAsWideAsThePlans) {
+  const Folder folder("widths");
+  write_town(TownOptions{}, folder.path());
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_file((folder / "town.osm").c_str()));
+  std::set<std::string> seen;
+  for (const pugi::xml_node& way : document.child("osm").children("way")) {
+    const auto value = [&](const char* key) {
+      return way.find_child_by_attribute("tag", "k", key).attribute("v");
+    };
+    if (!value("name") || value("area")) continue;
+    const std::string highway = value("highway").value();
+    for (const StreetClass street :
+         {StreetClass::primary, StreetClass::secondary, StreetClass::tertiary,
+          StreetClass::residential, StreetClass::living_street, StreetClass::pedestrian}) {
+      if (highway != osm_name(street)) continue;
+      seen.insert(highway);
+      const StreetSize size = size_of(street);
+      const double walls_m = size.carriageway_m + 2 * size.pavement_m;
+      const double pavement_m = value("sidewalk:both:width").as_double();
+      EXPECT_NEAR(value("width").as_double() + 2 * pavement_m, walls_m, 1e-6) << highway;
+      EXPECT_EQ(pavement_m == 0, street == StreetClass::pedestrian);
+    }
+  }
+  EXPECT_GE(seen.size(), 5u);
 }
 
 TEST(Town, SizesComeWithinTenPercentOfWhatIsAskedFor) {

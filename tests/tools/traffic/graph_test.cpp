@@ -62,6 +62,18 @@ TEST(RoadGraph, LanesLieOnTheirSide) {
   }
 }
 
+TEST(RoadGraph, LanesLieBesideParkedCars) {
+  // 7.5 m wide, and cars park on the southernmost 2 m.
+  const RoadGraph graph = graph_of(
+      {street(1, {{0, 0}, {100, 0}}, {{"highway", "residential"}, {"parking:right", "lane"}})});
+  ASSERT_EQ(graph.edges.size(), 2u);
+  for (const RoadEdge& edge : graph.edges) {
+    const bool east = edge.line.back().x > edge.line.front().x;
+    const double to_right = edge.lane_offset(0, Side::right);
+    EXPECT_NEAR(east ? -to_right : to_right, east ? -0.375 : 2.375, 1e-9) << "to the north";
+  }
+}
+
 TEST(RoadGraph, EndsWhereTheGroundEnds) {
   const place::HeightAt west = [](const glm::dvec2& p) -> std::optional<double> {
     return p.x < 333 ? std::optional<double>(10) : std::nullopt;

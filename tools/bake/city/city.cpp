@@ -26,6 +26,7 @@
 #include "tools/names/find_named_streets.h"
 #include "tools/osm/map_areas.h"
 #include "tools/osm/read_osm.h"
+#include "tools/roads/parking_lane.h"
 #include "tools/streets/street_ways.h"
 #include "tools/traffic/country.h"
 
@@ -70,6 +71,9 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
     map_.buildings = inputs_.survey->map_buildings;
   else
     map_ = osm::read_osm(inputs_.maps, static_cast<std::size_t>(inputs_.max_way_nodes));
+  // The width of a carriageway says whether cars park on it, to every stage that asks for it.
+  if (!inputs_.cover.parking)
+    for (osm::OsmWay& way : map_.highways) roads::drop_parking(way.tags);
   if (inputs_.cover.barriers && map_.barrier_relations > 0) add_barrier_outlines();
   if (map_.long_ways > 0)
     fmt::print(stderr,

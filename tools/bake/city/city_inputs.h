@@ -36,6 +36,7 @@ struct CityInputs {
   /// By which corners that are left out may lie off the outlines of buildings, m; 0: all stay.
   double simplify_m = 0;
   double texels_per_m = 5;  // of pictures on surfaces, at most
+  bool drops_roads = false;  // of the model, where there is a map: its streets stand for them
   GroundOptions ground;
   CoverOptions cover;
   /// The result of an earlier look at all inputs: the city does not look again, and reads only the

@@ -21,6 +21,7 @@ struct CoverOptions {
   bool land = true;                     // of the map, where the model has none
   bool gaps = true;                     // buildings of the map, where the model has none
   bool barriers = true;                 // of the map
+  bool steps = true;                    // of those streets, with treads and risers
   bool horizon = true;                  // the ground goes on beyond its edge
   trees::Season trees = trees::Season::summer;
 };

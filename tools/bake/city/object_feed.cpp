@@ -21,6 +21,8 @@ const char* find_reason(Unusable unusable) {
       return "all of polygons beyond [city] max_polygon_points or max_crossings";
     case Unusable::without_ground:
       return "where no elevation model has a height";
+    case Unusable::replaced_by_map:
+      return "replaced by the map's ([city] roads)";
   }
   return nullptr;
 }

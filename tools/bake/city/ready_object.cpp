@@ -139,7 +139,8 @@ ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& fram
           inputs.read.polygon,
           inputs.simplify_m,
           inputs.ground.max_error_m,
-          inputs.texels_per_m};
+          inputs.texels_per_m,
+          inputs.drops_roads && !inputs.maps.empty()};
 }
 
 ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadySettings& settings) {
@@ -160,6 +161,8 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
   to_city_frame(object, file, frames);
   if (object.polygons.empty() && object.points.empty() && object.lines.empty()) {
     result.unusable = Unusable::without_geometry;
+  } else if (settings.drops_roads && object.type == city::ObjectType::road) {
+    result.unusable = Unusable::replaced_by_map;
   } else if (is_far_away(object, frames)) {
     result.unusable = Unusable::far_away;
   } else if (object.polygons.empty()) {

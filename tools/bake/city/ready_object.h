@@ -26,7 +26,8 @@ enum class Unusable : std::uint8_t {
   far_away,
   without_area,
   beyond_limits,
-  without_ground
+  without_ground,
+  replaced_by_map
 };
 
 struct ReadyObject {
@@ -52,6 +53,7 @@ struct ReadySettings {
   double simplify_m = 0;   // of buildings: CityInputs
   double max_error_m = 0;  // of relief: GroundOptions
   double texels_per_m = 0;
+  bool drops_roads = false;  // those of the map stand for them
 };
 ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& frames,
                                 const GroundHeights* heights);

@@ -166,6 +166,12 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                 "gravel. "
                 "The building's id alone decides which, and which shade of it. `false`: all walls "
                 "are of one grey (0.35), and all roofs (0.20)."),
+       choice_key<bool>(
+           "roads", city.drops_roads, {{"model", false}, {"map", true}},
+           "Which roads stand where both the model and `[osm] files` have some. `model`: its "
+           "own, and the map makes no streets, markings, bridges or tracks (`[ground]`). "
+           "`map`: the roads of the model are left out, and counted, and those of the map "
+           "stand with all that its tags say."),
        choice_key<trees::Vegetation>(
            "vegetation", city.vegetation,
            {{"trees", trees::Vegetation::trees},

@@ -37,6 +37,7 @@ struct Recipe {
     double tile_m = 250;
     double simplify_m = 0;    // as CityInputs'
     double texels_per_m = 5;  // as CityInputs'
+    bool drops_roads = false;
     bool drop_ground = false;
     bool drop_hidden = false;
     bool skins = true;

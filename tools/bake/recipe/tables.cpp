@@ -117,9 +117,10 @@ Table make_ground_table(bake::CoverOptions& ground) {
            "With `streets`: where cars park along them, as `parking:left`, `right`, `both` or "
            "the older `parking:lane:...` say. Bays beside a carriageway (`street_side`) widen "
            "it, except within 5 m of junctions; on a pavement (`on_kerb`, `half_on_kerb`) it is "
-           "at least as wide as cars need; `lane` is a part of the carriageway. `:orientation`, "
-           "`:width` and `:surface` say what bays are like, else they are 2.00 m deep, "
-           "4.60 m if diagonal and 4.30 m if perpendicular; with `markings` and "
+           "at least as wide as cars need; `lane` and half of `half_on_kerb` widen a carriageway "
+           "that has no `width`, and lanes lie beside the cars. `:orientation`, `:width` and "
+           "`:surface` say what bays are like, else they are 2.00 m deep, 4.60 m if diagonal and "
+           "4.30 m if perpendicular; with `markings` and "
            "`:markings = yes` there are lines between them."),
        flag_key(
            "rails", ground.rails,
@@ -153,6 +154,12 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "else a table (docs/recipe.md, Barriers). Light passes fences as it passes their "
                 "gaps. They are open at gates and where a path meets them, and stand neither on "
                 "carriageways nor in buildings."),
+       flag_key("steps", ground.steps,
+                "Steps of the map (`highway=steps`), where the city model has no roads of its "
+                "own: treads and risers between the heights that the ground has at their ends, "
+                "as many as `step_count` says, else 0.16 m high. Where the ground rises by less "
+                "than 0.08 m or 1 in 20, or as steeply as a ladder, they are a path, and "
+                "counted in metres."),
        flag_key("horizon", ground.horizon,
                 "Bare ground from the edge of the city's own to the horizon, 50 km away, as the "
                 "earth curves: it begins at the height of the edge and levels out to the mean of "

@@ -263,6 +263,7 @@ json to_json(const BakeReport& report) {
         {"assumed", report.gaps.assumed}}},
       {"bridges", to_json(report.bridges)},
       {"barriers", to_json(report.barriers)},
+      {"steps", to_json(report.steps)},
       {"trees", to_json(report.trees)},
       {"ground_cover", to_json(report.cover, report.tiles)},
       {"streets", to_json(report.streets)},
@@ -299,6 +300,7 @@ std::string to_text(const BakeReport& report) {
   text += to_text(report.cover, report.tiles);
   text += to_text(report.bridges);
   text += to_text(report.barriers);
+  text += to_text(report.steps);
   text += to_text(report.trees);
   text += to_text(report.streets);
   text += to_text(report.places);

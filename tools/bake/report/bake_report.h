@@ -18,6 +18,7 @@
 #include "tools/bake/report/places_report.h"
 #include "tools/bake/report/scene_report.h"
 #include "tools/bake/report/stage_clock.h"
+#include "tools/bake/report/steps_report.h"
 #include "tools/bake/report/street_report.h"
 #include "tools/traffic/traffic.h"
 
@@ -31,6 +32,7 @@ struct BakeReport {
   CoverReport cover;
   BridgesReport bridges;
   BarriersReport barriers;
+  FlightsReport steps;
   HorizonReport horizon;
   TreeReport trees;
   StreetReport streets;  // of the model, where the map has none

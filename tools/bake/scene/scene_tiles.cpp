@@ -89,6 +89,14 @@ void SceneTiles::add_barrier(std::span<const barriers::Corners> surface,
   tiles_.add(triangles, no_id);
 }
 
+void SceneTiles::add_steps(std::span<const steps::Corners> surface,
+                           ground_cover::GroundKind material) {
+  std::vector<TileStore::Triangle> triangles;
+  for (const steps::Corners& corners : surface)
+    triangles.push_back({{corners[0], corners[1], corners[2]}, to_code(material), NodeKind::road});
+  tiles_.add(triangles, no_id);
+}
+
 glm::dvec2 SceneTiles::middle() {
   std::vector<double> eastings, northings;
   for (const TileKey& key : tiles_.tiles()) {

@@ -19,6 +19,7 @@
 #include "tools/bake/scene/skin_buildings.h"
 #include "tools/bake/scene/tile_store.h"
 #include "tools/barriers/barrier_shape.h"
+#include "tools/steps/flight_shape.h"
 #include "tools/trees/model_tree.h"
 
 namespace nightcity::bake {
@@ -47,6 +48,9 @@ class SceneTiles final : public CityConsumer {
 
   /// Adds a surface of a barrier: E, N, H in metres.
   void add_barrier(std::span<const barriers::Corners> surface, barriers::BarrierMaterial material);
+
+  /// Adds a flight of steps: E, N, H in metres.
+  void add_steps(std::span<const steps::Corners> surface, ground_cover::GroundKind material);
 
   /// Adds surfaces of a bridge.
   void add_bridge(std::span<const TileStore::Triangle> triangles) { tiles_.add(triangles, no_id); }

@@ -1,11 +1,11 @@
-#include "tools/ground_cover/parking_lane.h"
+#include "tools/roads/parking_lane.h"
 
 #include <array>
 #include <string_view>
 
 #include "tools/osm/tag_values.h"
 
-namespace nightcity::ground_cover {
+namespace nightcity::roads {
 namespace {
 
 // Parallel: 2.00 m wide (RASt 06), 5.70 m long (an assumption: a car of 4.75 m, RASt 06, and the
@@ -63,7 +63,7 @@ std::optional<ParkingLane> read_new(const osm::OsmTags& tags, const char* side) 
   if (const auto m = osm::parse_length_m(text_at(tags, "parking", side, ":width"));
       m && *m >= min_width_m && *m <= max_width_m)
     lane.width_m = *m;
-  lane.surface = find_surface(text_at(tags, "parking", side, ":surface"));
+  lane.surface = text_at(tags, "parking", side, ":surface");
   return lane;
 }
 
@@ -87,10 +87,19 @@ std::optional<ParkingLane> read_old(const osm::OsmTags& tags, const char* side) 
 
 ParkingBay ParkingLane::bay() const {
   ParkingBay bay = bays[static_cast<std::size_t>(orientation)];
-  if (!width_m) return bay;
-  bay.lean_m *= *width_m / bay.depth_m;
-  bay.depth_m = *width_m;
+  if (width_m) bay.set_depth(*width_m);
   return bay;
+}
+
+double ParkingLane::within_edge_m() const {
+  switch (place) {
+    case ParkingPlace::lane:
+      return bay().depth_m;
+    case ParkingPlace::half_on_kerb:
+      return bay().depth_m / 2;
+    default:
+      return 0;
+  }
 }
 
 double ParkingLane::beyond_edge_m() const {
@@ -114,9 +123,13 @@ std::optional<ParkingLane> read_parking_lane(const osm::OsmTags& tags, const cha
   return read_old(tags, side);
 }
 
+void drop_parking(osm::OsmTags& tags) {
+  std::erase_if(tags, [](const auto& tag) { return tag.first.starts_with("parking:"); });
+}
+
 bool is_parking_separate(const osm::OsmTags& tags, const char* side) {
   return value_at(tags, "parking", side) == "separate" ||
          value_at(tags, "parking:lane", side) == "separate";
 }
 
-}  // namespace nightcity::ground_cover
+}  // namespace nightcity::roads

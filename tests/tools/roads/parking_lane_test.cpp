@@ -1,8 +1,8 @@
-#include "tools/ground_cover/parking_lane.h"
+#include "tools/roads/parking_lane.h"
 
 #include <gtest/gtest.h>
 
-namespace nightcity::ground_cover {
+namespace nightcity::roads {
 namespace {
 
 std::string name_at(const osm::OsmTags& tags, const char* side = "right") {
@@ -71,5 +71,14 @@ TEST(ParkingLane, BaysAreAsDeepAsTheirOrientationOrTheirWidthSays) {
   EXPECT_EQ(depth_m({{"parking:right", "lane"}}), 0);
 }
 
+TEST(ParkingLane, LiesWithinTheCarriagewayAndBeyondItAsItsPlaceSays) {
+  for (const auto& [place, within_m] :
+       {std::pair{"lane", 2.0}, {"half_on_kerb", 1.0}, {"on_kerb", 0.0}, {"street_side", 0.0}}) {
+    const auto lane = read_parking_lane({{"parking:both", place}}, "left");
+    EXPECT_EQ(lane->within_edge_m(), within_m) << place;
+    EXPECT_EQ(lane->within_edge_m() + lane->beyond_edge_m(), lane->bay().depth_m) << place;
+  }
+}
+
 }  // namespace
-}  // namespace nightcity::ground_cover
+}  // namespace nightcity::roads
