@@ -52,7 +52,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return words;
 }
 
-std::string to_text(double value) {
+std::string print_bound(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
@@ -63,8 +63,8 @@ std::string to_text(double value) {
 double parse_number(const std::string& option, const std::string& word, double min, double max) {
   const auto value = read_number(word);
   if (!value || *value < min || *value > max)
-    throw UsageError(option,
-                     "'" + word + "' is not a number from " + to_text(min) + " to " + to_text(max));
+    throw UsageError(option, "'" + word + "' is not a number from " + print_bound(min) + " to " +
+                                 print_bound(max));
   return *value;
 }
 

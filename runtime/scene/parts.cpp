@@ -6,7 +6,7 @@
 namespace nightcity::scene {
 namespace {
 
-constexpr glm::vec3 down(0, -1, 0), east(1, 0, 0);
+constexpr glm::vec3 straight_down(0, -1, 0), east(1, 0, 0);
 
 // A file without provenance does not name families: there, rectangles are windows.
 bool is_window(const SceneLights& lights, std::size_t i) {
@@ -26,7 +26,7 @@ bool is_sphere(const Light& light) {
 // symmetric looks alike from all sides.
 bool is_aimed(const Light& light, const SceneLights& lights) {
   if (!is_sphere(light) || !has_profile(light, lights)) return false;
-  return light.axis != down ||
+  return light.axis != straight_down ||
          (lights.profiles[light_profile(light)].c_count > 1 && light.tangent != east);
 }
 
@@ -126,7 +126,7 @@ std::vector<std::uint32_t> leave_out_lights(SceneLights& lights, const PartSet& 
   if (holds(left_out, Part::aim))
     for (Light& light : lights.lights)
       if (is_aimed(light, lights)) {
-        light.axis = down;
+        light.axis = straight_down;
         light.tangent = east;
       }
   if (holds(left_out, Part::profiles)) {

@@ -8,16 +8,16 @@
 
 namespace nightcity::test {
 
-/// Returns `runs` times NIGHTCITY_TEST_RUNS (1): a proof's precision grows with the root of its runs,
-/// and the tests have as many as tell within their stated bounds.
+/// Returns `runs` times NIGHTCITY_TEST_RUNS (1): a proof's precision grows with the root of its
+/// runs, and the tests have as many as tell within their stated bounds.
 inline std::uint32_t count_runs(std::uint32_t runs) {
   const char* factor = std::getenv("NIGHTCITY_TEST_RUNS");
   return factor ? runs * static_cast<std::uint32_t>(std::strtoul(factor, nullptr, 10)) : runs;
 }
 
-/// Returns the statistics of count_runs(runs) pictures of `frames` frames each, with seeds `first_seed`,
-/// first_seed + 1, ... A new seed restarts mean and history, so the pictures are independent,
-/// although the frames of one picture share samples.
+/// Returns the statistics of count_runs(runs) pictures of `frames` frames each, with seeds
+/// `first_seed`, first_seed + 1, ... A new seed restarts mean and history, so the pictures are
+/// independent, although the frames of one picture share samples.
 inline measure::PictureStatistics independent_runs(render::Renderer& renderer,
                                                    const scene::CameraPose& pose,
                                                    render::RenderSettings settings,

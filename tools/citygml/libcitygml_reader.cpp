@@ -24,7 +24,7 @@ namespace nightcity::citygml {
 namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{1} << 19;  // about 100 members: full speed in 44 MB
-constexpr std::size_t max_warnings = 20;
+constexpr std::size_t max_library_warnings = 20;
 
 class Logger final : public ::citygml::CityGMLLogger {
  public:
@@ -147,7 +147,7 @@ class DocumentLoader {
   }
 
   void warn(const std::string& message) {
-    if (report.warnings.size() < max_warnings) report.warnings.push_back(message);
+    if (report.warnings.size() < max_library_warnings) report.warnings.push_back(message);
   }
 
   // Returns false, with the reason, when libcitygml throws; then nothing has been delivered.

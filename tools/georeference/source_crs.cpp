@@ -238,7 +238,7 @@ bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) cons
 
 std::string SourceCrs::select_operation(const glm::dvec2* lon_lat) {
   State& s = *state_;
-  // Where the register has the CRS, it knows better shifts than most definitions state.
+  // The register, if it has the CRS, knows better shifts than most definitions state.
   const bool is_registered = proj_get_id_code(s.crs.get(), 0) != nullptr;
   const PJ* const target = s.bound && !is_registered ? s.bound.get() : s.crs.get();
   s.operation = find_operation_from_wgs84(s.context.get(), target, lon_lat);

@@ -10,7 +10,7 @@
 namespace nightcity::lights {
 namespace {
 
-constexpr int max_angles = 721;
+constexpr int max_ldt_angles = 721;
 
 /// Reads one line after the other.
 class Cursor {
@@ -92,9 +92,9 @@ Head read_head(const TextLines& lines, Cursor& at) {
   luminaire.manufacturer = at.text("the maker");
   at.integer("the type of luminaire", 0, 3);
   head.symmetry = at.integer("the symmetry", 0, 4);
-  const int planes = at.integer("the number of C planes", 1, max_angles);
+  const int planes = at.integer("the number of C planes", 1, max_ldt_angles);
   at.number("the distance of C planes");
-  head.gamma_count = at.integer("the number of gamma angles", 2, max_angles);
+  head.gamma_count = at.integer("the number of gamma angles", 2, max_ldt_angles);
   at.number("the distance of gamma angles");
   at.text("the report's number");
   luminaire.name = at.text("the luminaire's name");

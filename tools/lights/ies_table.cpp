@@ -10,7 +10,7 @@
 namespace nightcity::lights {
 namespace {
 
-constexpr int max_angles = 20000;
+constexpr int max_ies_angles = 20000;
 constexpr double foot_m = 0.3048;
 
 enum class Comma { separates, decimal };
@@ -97,14 +97,14 @@ IesTable read_table(const TextLines& lines, std::size_t first, bool has_tilt_tab
     // The TILT data say how the lamp's output falls when the luminaire is tilted. Ours hang as
     // they were measured.
     numbers.next_integer("the lamp's position", 1, 3);
-    const int pairs = numbers.next_integer("the number of tilt angles", 1, max_angles);
+    const int pairs = numbers.next_integer("the number of tilt angles", 1, max_ies_angles);
     for (int n = 0; n < 2 * pairs; ++n) numbers.next("the tilt table");
   }
   IesTable table;
   const double lamps = numbers.next("the number of lamps"), lumens = numbers.next("lumens a lamp");
   const double multiplier = numbers.next("the candela multiplier");
-  const int vertical = numbers.next_integer("the number of vertical angles", 2, max_angles);
-  const int horizontal = numbers.next_integer("the number of horizontal angles", 1, max_angles);
+  const int vertical = numbers.next_integer("the number of vertical angles", 2, max_ies_angles);
+  const int horizontal = numbers.next_integer("the number of horizontal angles", 1, max_ies_angles);
   const auto total = static_cast<std::size_t>(vertical) * static_cast<std::size_t>(horizontal);
   if (total > 4'000'000) lines.fail(numbers.line(), "more angles than any file has");
   table.type = numbers.next_integer("the photometric type", 1, 3);

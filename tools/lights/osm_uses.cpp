@@ -16,7 +16,7 @@ namespace {
 
 using enum BuildingUse;
 
-constexpr double cell_m = 50, widest_m = 2000;
+constexpr double use_cell_m = 50, widest_m = 2000;
 
 // Values of building=* as the OSM wiki lists them.
 constexpr std::array<std::pair<std::string_view, BuildingUse>, 60> buildings = {{
@@ -105,8 +105,8 @@ std::optional<BuildingUse> look_up(
   return std::nullopt;
 }
 
-std::int64_t cell_of(double v) {
-  return static_cast<std::int64_t>(std::floor(v / cell_m));
+std::int64_t find_use_cell(double v) {
+  return static_cast<std::int64_t>(std::floor(v / use_cell_m));
 }
 
 std::uint64_t key(std::int64_t x, std::int64_t y) {
@@ -149,15 +149,15 @@ OsmUses::OsmUses(const std::vector<osm::OsmWay>& ways,
     // Coordinates that are not finite fail this comparison too.
     if (!(outline.area_m2 > 0 && high.x - low.x < widest_m && high.y - low.y < widest_m)) continue;
     const auto number = static_cast<std::uint32_t>(outlines_.size());
-    for (std::int64_t x = cell_of(low.x); x <= cell_of(high.x); ++x)
-      for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y)
+    for (std::int64_t x = find_use_cell(low.x); x <= find_use_cell(high.x); ++x)
+      for (std::int64_t y = find_use_cell(low.y); y <= find_use_cell(high.y); ++y)
         cells_[key(x, y)].push_back(number);
     outlines_.push_back(std::move(outline));
   }
 }
 
 std::optional<BuildingUse> OsmUses::at(const glm::dvec2& place) const {
-  const auto cell = cells_.find(key(cell_of(place.x), cell_of(place.y)));
+  const auto cell = cells_.find(key(find_use_cell(place.x), find_use_cell(place.y)));
   if (cell == cells_.end()) return std::nullopt;
   const Outline* smallest = nullptr;
   for (const std::uint32_t number : cell->second) {

@@ -17,7 +17,7 @@ constexpr std::int32_t buckets = 8;         // along each side of a cell
 constexpr std::size_t max_cached = 60'000;  // walls, 36 bytes each
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
-constexpr double longest_m = 2000;  // a longer wall is a broken coordinate
+constexpr double longest_wall_m = 2000;  // a longer wall is a broken coordinate
 
 // Clamped, so that a wrong coordinate does not overflow.
 std::int32_t bucket_of(double v) {
@@ -79,7 +79,7 @@ std::vector<WallIndex::UprightWall> WallIndex::find_upright_walls(const city::Ci
     const auto frame = wall_frame(polygon);
     if (!frame) continue;
     const WallOutline outline = outline_in(*frame, polygon);
-    if (!(outline.high.x - outline.low.x < longest_m)) continue;
+    if (!(outline.high.x - outline.low.x < longest_wall_m)) continue;
     const glm::dvec3 a = frame->from_plane({outline.low.x, outline.low.y});
     const glm::dvec3 b = frame->from_plane({outline.high.x, outline.low.y});
     const double top = frame->from_plane({0, outline.high.y}).z;

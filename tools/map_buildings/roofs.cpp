@@ -209,7 +209,7 @@ glm::dvec2 find_fall(const BuildingSizes& sizes, const Rectangle& box) {
   return {std::sin(angle), std::cos(angle)};
 }
 
-// How far the outline reaches along a direction.
+// The outline reaches from `low` to `high` along a direction, m.
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };

@@ -19,7 +19,7 @@ struct Carriageway {
   const RoadClass* road_class = nullptr;
   int lanes[2] = {0, 0};  // along the way as it is drawn, and against it; both 0 on paths
   double width_m = 0;     // from kerb to kerb
-  /// What of the width cars park on, to the left and to the right of the way as it is drawn.
+  /// The part of the width that cars park on, to the left and to the right of the way as drawn.
   double parked_m[2] = {0, 0};
   bool is_widened = false;  // for parked cars, because no tag gives the width
   bool roundabout = false;
@@ -36,8 +36,8 @@ struct Carriageway {
 /// `width`; the number of lanes (tagged, else the class's) times the class's lane width, and its
 /// shoulders; the width of a single lane. Where cars park on the carriageway (ParkingLane), the
 /// tag counts them in, and the others do not (OSM wiki, "Key:width", "Key:lanes"). It is never less
-/// than min_lane_m for each lane that is driven on: cars park on the rest at most. Empty for classes that are not in the table and for crossings, which are a part of
-/// the road they cross.
+/// than min_lane_m for each lane that is driven on: cars park on the rest at most. Empty for classes
+/// that are not in the table and for crossings, which are a part of the road they cross.
 std::optional<Carriageway> read_carriageway(const osm::OsmTags& tags);
 
 /// Returns the width in metres from kerb to kerb; 0 where read_carriageway is empty.

@@ -137,8 +137,8 @@ class Builder {
     return {low_m, high_m};
   }
 
-  // Returns the height of the ground where a flight ends, or just within it where the end lies on an
-  // obstacle: a kerb is no step.
+  // Returns the height of the ground where a flight ends, or just within it where the end lies on
+  // an obstacle: a kerb is no step.
   std::optional<double> find_end(const MeasuredLine& along, double end_m, double within_m) const {
     return height_at_(along.find_beside(find_obstacle(along, end_m) ? within_m : end_m, 0));
   }

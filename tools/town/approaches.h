@@ -1,4 +1,4 @@
-// Where streets come to junctions: crossings, signals, signs to give way.
+// The ends of streets at junctions: crossings, signals, signs to give way.
 #pragma once
 
 #include <cstdint>

@@ -26,8 +26,8 @@ struct RoadEdge {
   const TrafficClass* traffic = nullptr;
   int lanes = 1;
   double lane_m = 3;  // width of a lane
-  // Half the width of all lanes, both directions together: vehicles keep within it, around middle_m,
-  // and no lane reaches beyond the carriageway.
+  // Half the width of all lanes, both directions together: vehicles keep within it, around
+  // middle_m, and no lane reaches beyond the carriageway.
   double half_width_m = 3;
   // By which the middle of all lanes lies to the right of the line: not 0 where cars park on one
   // side alone.

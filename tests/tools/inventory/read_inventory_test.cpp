@@ -91,7 +91,7 @@ TEST(Inventory, AHeadingNamesTheUnitOfItsNumbers) {
                                               {"light:lumens", "4500 lm"},
                                               {"light:power", "70 W"},
                                               {"operational_status", "true"}}));
-  // What stands in brackets is no unit of this column, or part of a word.
+  // The words in brackets are no unit of this column, or part of a word.
   write_text(folder / "lamps.csv", "lon,lat,Height (new),soft\n13.4,52.5,8,4500\n");
   file.columns = {{"height", "Height (new)"}, {"lumens", "soft"}};
   EXPECT_EQ(read_inventory(file).lamps.at(0).tags,

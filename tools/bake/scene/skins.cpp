@@ -34,7 +34,7 @@ constexpr std::array<FinishRow, static_cast<std::size_t>(count)> finishes{{
 }};
 
 // Groups of uses whose buildings look alike.
-enum class Group : std::uint8_t { dwellings, business, institutions, industry, other, count };
+enum class UseGroup : std::uint8_t { dwellings, business, institutions, industry, other, count };
 
 constexpr std::size_t age_count = static_cast<std::size_t>(Age::count);
 using Finishes = std::array<Finish, finish_choices>;
@@ -42,8 +42,8 @@ using Finishes = std::array<Finish, finish_choices>;
 // The shares of the finishes are an assumption, in quarters, for want of statistics that hold for
 // more than one region. In short: houses are plastered, brick and stone are of the time before
 // 1919, concrete is of the decades after 1949, and halls are clad in sheet since 1979.
-constexpr std::array<std::array<Finishes, age_count>, static_cast<std::size_t>(Group::count)> walls{
-    {
+constexpr std::array<std::array<Finishes, age_count>, static_cast<std::size_t>(UseGroup::count)>
+    walls{{
         {{{plaster, plaster, plaster, brick},         // dwellings of unknown age
           {plaster, plaster, brick, brick},           // before 1919
           {plaster, plaster, plaster, brick},         // 1919 to 1948
@@ -76,30 +76,30 @@ constexpr Finishes tiled{tiles, tiles, tiles, tiles},
     half_metal{tiles, tiles, iron_sheet, iron_sheet},
     flat{tar_and_gravel, tar_and_gravel, tar_and_gravel, tar_and_gravel};
 
-Group find_group(lights::BuildingUse use) {
+UseGroup find_group(lights::BuildingUse use) {
   using enum lights::BuildingUse;
   switch (use) {
     case residential:
     case mixed:
     case hotel:
-      return Group::dwellings;
+      return UseGroup::dwellings;
     case office:
     case retail:
-      return Group::business;
+      return UseGroup::business;
     case education:
     case civic:
-      return Group::institutions;
+      return UseGroup::institutions;
     case industrial:
-      return Group::industry;
+      return UseGroup::industry;
     case dark:
       break;
   }
-  return Group::other;
+  return UseGroup::other;
 }
 
 // Halls have metal roofs since there are large sheets of it: an assumption, as for walls.
-const Finishes& find_pitched_roof(Group group, Age age) {
-  if (group != Group::industry) return tiled;
+const Finishes& find_pitched_roof(UseGroup group, Age age) {
+  if (group != UseGroup::industry) return tiled;
   return age == Age::before_1919 || age == Age::from_1919 ? tiled
          : age == Age::unknown                            ? half_metal
                                                           : metal;
@@ -139,7 +139,7 @@ Age find_age(const std::string& text) {
 
 std::span<const Finish, finish_choices> list_finishes(SkinPart part, lights::BuildingUse use,
                                                       Age age) {
-  const Group group = find_group(use);
+  const UseGroup group = find_group(use);
   if (part == SkinPart::flat_roof) return flat;
   if (part == SkinPart::pitched_roof) return find_pitched_roof(group, age);
   return walls[static_cast<std::size_t>(group)][static_cast<std::size_t>(age)];
