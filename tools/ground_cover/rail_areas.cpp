@@ -139,7 +139,7 @@ class RailAreas {
                                            const MeasuredLine& along, const Tracks& tracks) const {
     // Below a bridge, paths and squares are not what it carries.
     const int min_rank =
-        tracks.kind->uses_streets && !tracks.elevated ? square_land_rank : carriageway_rank;
+        tracks.kind->uses_streets && !tracks.elevated ? square_land_rank : carriageway_end_rank;
     std::vector<TrackStretch> stretches;
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto within = clip_segment(line[i - 1], line[i], bounds_);

@@ -1,6 +1,8 @@
 #include "tools/ground_cover/street_areas.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -126,7 +128,7 @@ class StreetAreas {
       return;
     }
     if (carriageway->is_widened) ++cover_.assumed["width of a street on which cars park"];
-    add(line, half_m, Side::both, carriageway_rank + road.rank, {kind, road.kerbed, true});
+    add_carriageway(line, half_m, road.rank, {kind, road.kerbed, true});
     Roadside left = read_roadside(way.tags, road, "left"),
              right = read_roadside(way.tags, road, "right");
     if (bays_) {
@@ -211,9 +213,28 @@ class StreetAreas {
              pavement_rank, GroundKind::paving_stones);
   }
 
+  // The round ends of streets fill the corners between them. They are seen where no carriageway
+  // lies: a street that ends in a junction, or changes its class there, does not show its end.
+  void add_carriageway(const std::vector<glm::dvec2>& line, double half_m, int road_rank,
+                       const Surface& surface) {
+    add(line, half_m, Side::both, carriageway_rank + road_rank, surface, Widener::Ends::flat);
+    for (const glm::dvec2& end : {line.front(), line.back()})
+      cover_.add({carriageway_end_rank + road_rank, surface, {make_disc(end, half_m)}});
+  }
+
+  static Ring make_disc(const glm::dvec2& middle, double radius_m) {
+    constexpr int sides = 16;
+    Ring ring;
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      ring.push_back(middle + radius_m * glm::dvec2(std::cos(angle), std::sin(angle)));
+    }
+    return ring;
+  }
+
   void add(const std::vector<glm::dvec2>& line, double distance_m, Side side, int rank,
-           const Surface& surface) {
-    std::vector<Ring> rings = widener_.widen(line, distance_m, side);
+           const Surface& surface, Widener::Ends ends = Widener::Ends::round) {
+    std::vector<Ring> rings = widener_.widen(line, distance_m, side, ends);
     if (rings.empty())
       ++cover_.left_out["street without an area"];
     else

@@ -11,9 +11,11 @@
 
 namespace nightcity::ground_cover {
 
-/// Ranks of the areas of streets; the rank of a road's class is added to that of carriageways.
-constexpr int carriageway_rank = 1000, bay_rank = 950, track_rank = 900, path_rank = 820,
-              pavement_rank = 800, square_rank = 790, platform_rank = 760;
+/// Ranks of the areas of streets; the rank of a road's class is added to those of carriageways and
+/// of their ends.
+constexpr int carriageway_rank = 1050, carriageway_end_rank = 1000, bay_rank = 950,
+              track_rank = 900, path_rank = 820, pavement_rank = 800, square_rank = 790,
+              platform_rank = 760;
 
 /// Width of a one-way cycle track beside a carriageway (ERA 2010, 2.2.1), m.
 constexpr double cycle_track_m = 2.0;

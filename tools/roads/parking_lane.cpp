@@ -17,7 +17,7 @@ constexpr std::array bays{ParkingBay{2.00, 5.70, 0}, ParkingBay{4.60, 2.81, 4.60
 constexpr std::array orientation_names{"parallel", "diagonal", "perpendicular"};
 constexpr std::array place_names{"lane", "street side", "half on kerb", "on kerb"};
 // A tag may give a width from that of a narrow car to that of a lorry across the street.
-constexpr double min_width_m = 1.5, max_width_m = 10;
+constexpr double min_width_m = 1.5, max_parked_m = 10;
 
 // Returns PREFIX:right SUFFIX, else PREFIX:both SUFFIX, else "", as written.
 std::string text_at(const osm::OsmTags& tags, const std::string& prefix, const char* side,
@@ -61,7 +61,7 @@ std::optional<ParkingLane> read_new(const osm::OsmTags& tags, const char* side) 
   lane.orientation_assumed = !orientation;
   lane.marked = value_at(tags, "parking", side, ":markings") == "yes";
   if (const auto m = osm::parse_length_m(text_at(tags, "parking", side, ":width"));
-      m && *m >= min_width_m && *m <= max_width_m)
+      m && *m >= min_width_m && *m <= max_parked_m)
     lane.width_m = *m;
   lane.surface = text_at(tags, "parking", side, ":surface");
   return lane;

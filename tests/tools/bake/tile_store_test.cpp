@@ -86,6 +86,20 @@ TEST(TileStore, LosesNoTriangleAndKeepsTheirOrder) {
   EXPECT_EQ(found, added);
 }
 
+// Its corners are three, and its area is 0 as floats compute it: a micrometre beside 30 m.
+TEST(TileStore, ATriangleWithoutAreaIsNotWritten) {
+  const test::TempFolder folder;
+  TileStore store(folder / "x", 250, 0);
+  const Triangle seen = triangle({10, 10, 0}, 4),
+                 sliver{{{30, 40, 2}, {30, 40, 32}, {30, 40 + 1e-6, 17}},
+                        to_code(BakeMaterial::wall),
+                        NodeKind::city};
+  store.add(std::vector{seen, sliver}, 0);
+  const SceneMesh mesh = store.mesh(store.tiles().at(0)).mesh;
+  ASSERT_EQ(mesh.primitives.size(), 1u);
+  EXPECT_EQ(mesh.primitives[0].indices.size(), 3u);
+}
+
 TEST(TileStore, WeldsEqualVerticesOfOneObjectOnly) {
   const test::TempFolder folder;
   TileStore store(folder / "x", 100, 0);

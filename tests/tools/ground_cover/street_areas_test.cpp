@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "tests/tools/ground_cover/metre_map.h"
 #include "tests/tools/ground_cover/plan_areas.h"
@@ -61,6 +62,27 @@ TEST(StreetAreas, TheMoreImportantRoadIsSeenWhereTwoCross) {
                middle);
   EXPECT_NEAR(areas.at("concrete"), 80 * 6.5, 0.1);
   EXPECT_NEAR(areas.at("sett"), (100 - 6.5) * 5.5, 0.1);
+}
+
+// The greater road does not show its round end in the lesser one, which goes on from there.
+TEST(StreetAreas, AStreetThatChangesItsClassChangesThereAndNotBeyond) {
+  const auto areas = areas_of(
+      cover_streets({way({{-200, 0}, {0, 0}},
+                         {{"highway", "primary"}, {"surface", "concrete"}, {"sidewalk", "no"}}),
+                     way({{0, 0}, {200, 0}},
+                         {{"highway", "residential"}, {"surface", "sett"}, {"sidewalk", "no"}})}),
+      middle);
+  EXPECT_NEAR(areas.at("sett"), 50 * 5.5, 0.1);
+  EXPECT_GT(areas.at("concrete"), 50 * 6.5) << "beside it the end is seen";
+  EXPECT_LT(areas.at("concrete"), 50 * 6.5 + 1);
+}
+
+TEST(StreetAreas, AStreetThatEndsIsRound) {
+  const auto areas = areas_of(
+      cover_streets({way({{-200, 0}, {0, 0}}, {{"highway", "residential"}, {"sidewalk", "no"}})}),
+      middle);
+  const double sixteen = 8 * std::sin(std::numbers::pi / 8);  // a circle's area by its 16-gon
+  EXPECT_NEAR(areas.at("asphalt"), 50 * 5.5 + sixteen / 2 * 2.75 * 2.75, 0.1);
 }
 
 TEST(StreetAreas, APathIsSeenBeforeThePavementThatAStreetIsGiven) {

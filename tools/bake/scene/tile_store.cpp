@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "formats/hierarchy/static_geometry.h"
 #include "tools/bake/city/tile_grid.h"
 #include "tools/bake/scene/atlas.h"
 #include "tools/trees/model_tree.h"
@@ -217,8 +218,9 @@ TileStore::TileMesh TileStore::mesh(const TileKey& key, const Change& change) {
             (glm::vec2(at->corner) + picture->places[i]) / glm::vec2(atlases.sizes[at->picture]);
       index[i] = welder.find_index(triangle.corners[i], triangle.feature, at ? &place : nullptr);
     }
-    // Rounding to float can join corners: such a triangle has no area.
-    if (index[0] == index[1] || index[1] == index[2] || index[2] == index[0]) continue;
+    // Rounding to float can take a triangle's area, and then nobody sees it.
+    const std::vector<glm::vec3>& corners = welder.primitive.positions;
+    if (!hierarchy::is_shown(corners[index[0]], corners[index[1]], corners[index[2]])) continue;
     welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
   }
   SceneMesh& mesh = tile.mesh;
