@@ -17,7 +17,7 @@ namespace nightcity::test {
 namespace {
 
 constexpr std::uint32_t side = 24;  // whole workgroups
-constexpr int moments = 4;
+constexpr int moments = 6;
 
 struct Moving {
   scene::RenderScene scene;

@@ -67,7 +67,7 @@ TEST(RailAreas, ATramInAStreetHasRailsAloneFlushWithIt) {
   EXPECT_NEAR(areas.at("rail"), rails_m2, 0.2);
   EXPECT_NEAR(areas.at("asphalt"), 100 * 5.5 - rails_m2, 0.5);
   EXPECT_NEAR(cover.tracks_m.at("tram in a street"), 400, 1e-9);
-  EXPECT_EQ(cover.areas().size(), 2u) << "a carriageway and its pavements";
+  EXPECT_EQ(cover.areas().size(), 4u) << "a carriageway, its ends and its pavements";
 }
 
 TEST(RailAreas, WhereARoadCrossesItLiesOverTheBedAndTheRailsGoOn) {
