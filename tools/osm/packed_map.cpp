@@ -29,14 +29,21 @@ osmium::io::File open_packed_map(const std::filesystem::path& file) {
 
 SortedMap::SortedMap(const std::filesystem::path& file) {
   constexpr std::uintmax_t max_bytes = 256 << 20;
+  constexpr std::size_t max_unpacked_bytes = std::size_t{4} << 30;
+  constexpr const char* too_large =
+      "its elements are in no order, and it is too large to be sorted here: sort it by "
+      "`osmium sort IN -o OUT`";
   std::error_code ignored;
   if (std::filesystem::file_size(file, ignored) > max_bytes)
-    throw Error(file.string(),
-                "its elements are in no order, and it is too large to be sorted here: sort it by "
-                "`osmium sort IN -o OUT`");
+    throw Error(file.string(), too_large);
   osmium::io::Reader reader(open_packed_map(file), osmium::osm_entity_bits::nwr,
                             osmium::io::read_meta::yes);
-  while (osmium::memory::Buffer buffer = reader.read()) buffers_.push_back(std::move(buffer));
+  std::size_t unpacked = 0;  // a small file may unpack to a thousand times its size
+  while (osmium::memory::Buffer buffer = reader.read()) {
+    unpacked += buffer.committed();
+    if (unpacked > max_unpacked_bytes) throw Error(file.string(), too_large);
+    buffers_.push_back(std::move(buffer));
+  }
   reader.close();
   for (osmium::memory::Buffer& buffer : buffers_) osmium::apply(buffer, objects_);
   objects_.sort(osmium::object_order_type_id_version{});

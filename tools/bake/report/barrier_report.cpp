@@ -11,10 +11,6 @@
 namespace nightcity::bake {
 namespace {
 
-double to_decimetres(double m) {
-  return std::round(10 * m) / 10;
-}
-
 std::map<std::string, std::size_t> to_metres(const std::map<std::string, double>& lengths_m) {
   std::map<std::string, std::size_t> whole;
   for (const auto& [name, m] : lengths_m)
@@ -25,15 +21,14 @@ std::map<std::string, std::size_t> to_metres(const std::map<std::string, double>
 }  // namespace
 
 nlohmann::json to_json(const BarriersReport& report) {
-  nlohmann::json kinds = nlohmann::json::object(), left_out_m = nlohmann::json::object();
+  nlohmann::json kinds = nlohmann::json::object();
   for (const auto& [name, kind] : report.found.kinds)
     kinds[name] = {{"ways", kind.ways},
-                   {"mapped_m", to_decimetres(kind.mapped_m)},
-                   {"built_m", to_decimetres(kind.built_m)}};
-  for (const auto& [reason, m] : report.found.left_out_m) left_out_m[reason] = to_decimetres(m);
+                   {"mapped_m", round_to_tenths(kind.mapped_m)},
+                   {"built_m", round_to_tenths(kind.built_m)}};
   return {{"source", "map"},
           {"kinds", kinds},
-          {"left_out_m", left_out_m},
+          {"left_out_m", round_to_tenths(report.found.left_out_m)},
           {"assumed", report.found.assumed},
           {"openings", report.found.openings},
           {"areas", report.found.areas},

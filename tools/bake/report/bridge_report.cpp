@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +15,7 @@ using LengthCounts = std::map<std::string, bridges::BridgeReport::Count>;
 nlohmann::json to_json(const LengthCounts& counts) {
   nlohmann::json result = nlohmann::json::object();
   for (const auto& [name, count] : counts)
-    result[name] = {{"bridges", count.bridges}, {"length_m", std::round(10 * count.length_m) / 10}};
+    result[name] = {{"bridges", count.bridges}, {"length_m", round_to_tenths(count.length_m)}};
   return result;
 }
 
@@ -35,7 +34,7 @@ nlohmann::json to_json(const BridgesReport& report) {
           {"built", to_json(report.found.built)},
           {"on_the_ground", to_json(report.found.on_ground)},
           {"lower_than_wanted", report.found.low},
-          {"deck_m2", std::round(10 * report.deck_m2) / 10},
+          {"deck_m2", round_to_tenths(report.deck_m2)},
           {"piers", report.piers},
           {"triangles", report.triangles},
           {"bare_decks", report.bare_decks}};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -13,12 +12,6 @@
 namespace nightcity::bake {
 
 namespace {
-
-nlohmann::json to_json(const std::map<std::string, double>& amounts) {
-  nlohmann::json result = nlohmann::json::object();
-  for (const auto& [name, amount] : amounts) result[name] = std::round(10 * amount) / 10;
-  return result;
-}
 
 // Returns "120 tram in a street, 40 rail on ballast", the greatest first.
 std::string amounts_in_words(const std::map<std::string, double>& amounts) {
@@ -75,17 +68,17 @@ std::string to_text(const TreeReport& report) {
 nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles) {
   return {{"source", "map"},
           {"areas", report.areas},
-          {"area_m2", to_json(tiles.cover_m2)},
-          {"bare_m2", std::round(10 * tiles.bare_m2) / 10},
+          {"area_m2", round_to_tenths(tiles.cover_m2)},
+          {"bare_m2", round_to_tenths(tiles.bare_m2)},
           {"triangles_added", tiles.cover_triangles},
           {"tiles_left_bare", tiles.uncovered_tiles},
           {"rounded_corners", report.rounded_corners},
           {"lowered_kerbs", report.lowered_kerbs},
           {"markings", report.markings},
-          {"tracks_m", to_json(report.tracks_m)},
-          {"parking_m", to_json(report.parking_m)},
+          {"tracks_m", round_to_tenths(report.tracks_m)},
+          {"parking_m", round_to_tenths(report.parking_m)},
           {"left_out", report.left_out},
-          {"left_out_m", to_json(report.left_out_m)},
+          {"left_out_m", round_to_tenths(report.left_out_m)},
           {"assumed", report.assumed}};
 }
 

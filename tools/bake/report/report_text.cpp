@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,15 @@ std::string in_words(const std::map<std::string, std::size_t>& counts) {
   for (const auto& [name, count] : sorted)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
   return text.empty() ? "none" : text;
+}
+
+double round_to_tenths(double amount) {
+  return std::round(10 * amount) / 10;
+}
+
+std::map<std::string, double> round_to_tenths(std::map<std::string, double> amounts) {
+  for (auto& [name, amount] : amounts) amount = round_to_tenths(amount);
+  return amounts;
 }
 
 }  // namespace nightcity::bake

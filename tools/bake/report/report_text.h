@@ -13,4 +13,9 @@ std::string report_line(const char* name, const std::string& value);
 /// Returns "12 wall, 3 roof", the most frequent first, or "none".
 std::string in_words(const std::map<std::string, std::size_t>& counts);
 
+/// Rounds a length or an area of a report to tenths.
+double round_to_tenths(double amount);
+/// Returns the amounts, rounded to tenths.
+std::map<std::string, double> round_to_tenths(std::map<std::string, double> amounts);
+
 }  // namespace nightcity::bake

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tools/bake/report/report_text.h"
@@ -10,18 +9,15 @@
 namespace nightcity::bake {
 
 nlohmann::json to_json(const FlightsReport& report) {
-  const auto to_decimetres = [](double m) { return std::round(10 * m) / 10; };
   const steps::StepsReport& found = report.found;
-  nlohmann::json left_out_m = nlohmann::json::object();
-  for (const auto& [reason, m] : found.left_out_m) left_out_m[reason] = to_decimetres(m);
   return {{"source", "map"},
           {"ways", found.ways},
           {"flights", found.flights},
           {"steps", found.treads},
           {"counted_ways", found.counted_ways},
-          {"mapped_m", to_decimetres(found.mapped_m)},
-          {"built_m", to_decimetres(found.built_m)},
-          {"left_out_m", left_out_m},
+          {"mapped_m", round_to_tenths(found.mapped_m)},
+          {"built_m", round_to_tenths(found.built_m)},
+          {"left_out_m", round_to_tenths(found.left_out_m)},
           {"assumed", found.assumed},
           {"triangles", report.triangles}};
 }
