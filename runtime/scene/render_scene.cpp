@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "formats/error.h"
+#include "formats/material_names.h"
 #include "formats/night_check.h"
 #include "formats/parallel.h"
 #include "formats/scene_identity.h"
@@ -52,8 +53,10 @@ bool is_usable(const Light& light, std::size_t profiles) {
 namespace {
 
 void add_materials(RenderScene& out, const Scene& scene) {
-  for (const SceneMaterial& m : scene.materials)
+  for (const SceneMaterial& m : scene.materials) {
     out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, 0});
+    out.carriageways.push_back(is_carriageway_material(m.name));
+  }
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});
   for (const SceneMaterial& m : scene.materials)
     out.parts[static_cast<std::size_t>(Part::textures)] += m.texture.has_value();

@@ -86,6 +86,7 @@ struct RenderScene {
   std::vector<Mesh> meshes{};                 // none is empty
   std::vector<gpu::Instance> instances;
   std::vector<gpu::Material> materials;  // at least one
+  std::vector<bool> carriageways{};      // by material: is_carriageway_material
   std::vector<gpu::Texture> textures{};
   LargeVector<std::uint32_t> texels{};  // of all textures
   std::vector<Light> lights;
