@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <system_error>
 
+#include "formats/cancel.h"
 #include "formats/error.h"
 #include "formats/material_names.h"
 #include "formats/night_check.h"
@@ -228,8 +229,13 @@ LoadedLights load_lights(const std::filesystem::path& glb) {
 
 RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out) {
   RenderScene out;
-  std::future<LoadedLights> loading = std::async(std::launch::async, load_lights, glb);
+  std::future<LoadedLights> loading =
+      std::async(std::launch::async, [&, token = find_cancel_token()] {
+        const CancelScope scope(token);
+        return load_lights(glb);
+      });
   SceneFile file(glb);
+  throw_if_cancelled();
   auto [lights, light_file, georeference] = loading.get();
   if (!light_file.empty())
     require_same_scene(glb, file.scene().georeference, light_file, georeference);
@@ -257,6 +263,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   out.georeference = file.scene().georeference;
   out.places = file.scene().places;
   set_origin(out, find_local_origin(file.scene(), meshes, out.lights));
+  throw_if_cancelled();
   add_bodies(out, file.scene(), meshes, left_out);
   add_geometry(out, file.scene(), meshes, {left_out, numbers}, count_cores());
   Scene scene = file.finish();
