@@ -6,6 +6,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "formats/cancel.h"
 #include "formats/error.h"
 #include "formats/georeference_json.h"
 #include "formats/json_parse.h"
@@ -202,6 +203,7 @@ LightFile LightFile::open(const std::filesystem::path& path) {
 
 void LightFile::verify() const {
   for (const Section& section : mapping_->table) {
+    throw_if_cancelled();
     const auto size = static_cast<std::size_t>(section.element_count * section.element_size);
     if (section.checksum != checksum(mapping_->file.bytes().data() + section.offset, size))
       throw Error(mapping_->name, name_of(section), "checksum does not match");

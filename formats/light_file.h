@@ -127,7 +127,8 @@ class LightFile {
   static LightFile open(const std::filesystem::path& path);
 
   /// Checks all that SPEC.md tells a reader to refuse: the checksum of each section, and each
-  /// record as write_light_file does. The time grows with the size. Throws Error.
+  /// record as write_light_file does. The time grows with the size. Throws Error, or Cancelled
+  /// (cancel.h).
   void verify() const;
 
   const Georeference& georeference() const;

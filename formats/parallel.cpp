@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "formats/cancel.h"
+
 namespace nightcity {
 
 unsigned count_cores() {
@@ -26,9 +28,11 @@ void run_parallel(std::size_t count, unsigned threads,
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failing;
+  const std::stop_token token = find_cancel_token();
   const auto take = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
       try {
+        if (token.stop_requested()) throw Cancelled();
         work(i);
       } catch (...) {
         const std::lock_guard lock(failing);
@@ -40,7 +44,10 @@ void run_parallel(std::size_t count, unsigned threads,
   std::vector<std::jthread> others;
   try {
     for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t)
-      others.emplace_back(take);
+      others.emplace_back([&] {
+        const CancelScope scope(token);
+        take();
+      });
   } catch (const std::system_error&) {
     // The system gives no more threads: those that there are do the work.
   }

@@ -32,7 +32,13 @@ json to_json(const NamedStreet& street) {
   if (!is_street_name(street.name)) throw Error("", "street", "the name is none");
   json lines = json::array();
   for (const auto& line : street.lines) lines.push_back(round_line(line));
-  return {{"name", street.name}, {"lines", lines}};
+  json object{{"name", street.name}, {"lines", lines}};
+  if (street.also.empty()) return object;
+  if (street.also.size() > max_other_names ||
+      !std::all_of(street.also.begin(), street.also.end(), is_street_name))
+    throw Error("", "street", "its other names are none, or too many");
+  object["also"] = street.also;
+  return object;
 }
 
 json to_json(const GeographicFit& fit) {
@@ -71,6 +77,18 @@ GeographicFit read_fit(const json& object) {
   return fit;
 }
 
+// Returns the other names of a street; none where one of them is unsound, since it has a name.
+std::vector<std::string> read_other_names(const json& object) {
+  std::vector<std::string> names;
+  const auto also = object.find("also");
+  if (also == object.end() || !also->is_array() || also->size() > max_other_names) return names;
+  for (const json& name : *also) {
+    if (!name.is_string() || !is_street_name(name.get<std::string>())) return {};
+    names.push_back(name.get<std::string>());
+  }
+  return names;
+}
+
 // Returns nothing where the street is not as SPEC.md has it.
 std::optional<NamedStreet> read_street(const json& object) {
   NamedStreet street;
@@ -89,6 +107,7 @@ std::optional<NamedStreet> read_street(const json& object) {
     }
   }
   if (!is_street_name(street.name) || street.lines.empty()) return std::nullopt;
+  street.also = read_other_names(object);
   return street;
 }
 

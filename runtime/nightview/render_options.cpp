@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "formats/cancel.h"
 #include "formats/error.h"
 #include "formats/light_edits.h"
 #include "formats/program/number_check.h"
@@ -243,6 +244,7 @@ scene::RenderScene RenderOptions::load(const std::string& other,
     loaded.has_edited_lights = unknown < by_hand.size();
     if (unknown > 0) spdlog::warn("{}: {} lights are not in {}", edits, unknown, other);
   }
+  throw_if_cancelled();  // the window's thread reads here
   if (settings.environment.glow != render::SkyGlow::none) make_sky(other, loaded);
   if (!sky_map.empty()) {
     const measure::Image image = measure::read_exr(sky_map);

@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <vector>
 
 #include "formats/error.h"
 #include "runtime/scene/standpoint.h"
 #include "runtime/scene/street_names.h"
+#include "runtime/scene/street_places.h"
 
 namespace nightcity::scene {
 namespace {
-
-// A place on a street, and the street's direction there; 0 on a square.
-struct StreetPlace {
-  glm::dvec2 at, along;
-};
 
 struct StreetSight {
   Standpoint from;
@@ -25,27 +20,7 @@ struct StreetSight {
 };
 
 constexpr std::size_t max_street_places = 120, max_compared = 12;
-constexpr double min_step_m = 5, square_m = 30;
-
-double find_length_of(const std::vector<glm::dvec2>& line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
-  return length;
-}
-
-// Adds places every `step_m` along a line, half a step from its ends.
-void add_places(const std::vector<glm::dvec2>& line, double step_m,
-                std::vector<StreetPlace>& places) {
-  double next_m = std::min(step_m, find_length_of(line)) / 2, done_m = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const glm::dvec2 &a = line[i - 1], &b = line[i];
-    const double length_m = glm::distance(a, b);
-    if (!(length_m > 0)) continue;
-    for (; next_m <= done_m + length_m; next_m += step_m)
-      places.push_back({glm::mix(a, b, (next_m - done_m) / length_m), (b - a) / length_m});
-    done_m += length_m;
-  }
-}
+constexpr double named_step_m = 5, square_m = 30;
 
 // Adds places around the middle of a square, from there outwards: a sunflower's (Vogel 1979).
 void add_places_around(const glm::dvec2& middle, std::vector<StreetPlace>& places) {
@@ -66,7 +41,7 @@ std::vector<StreetPlace> list_places(const NamedStreet& street) {
     length_m += find_length_of(line);
   }
   if (!places.empty()) return places;
-  const double step_m = std::max(min_step_m, length_m / double(max_street_places));
+  const double step_m = std::max(named_step_m, length_m / double(max_street_places));
   for (const auto& line : street.lines)
     if (places.size() < 2 * max_street_places) add_places(line, step_m, places);
   return places;

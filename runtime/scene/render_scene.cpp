@@ -8,7 +8,9 @@
 #include <glm/common.hpp>
 #include <system_error>
 
+#include "formats/cancel.h"
 #include "formats/error.h"
+#include "formats/material_names.h"
 #include "formats/night_check.h"
 #include "formats/parallel.h"
 #include "formats/scene_identity.h"
@@ -52,8 +54,10 @@ bool is_usable(const Light& light, std::size_t profiles) {
 namespace {
 
 void add_materials(RenderScene& out, const Scene& scene) {
-  for (const SceneMaterial& m : scene.materials)
+  for (const SceneMaterial& m : scene.materials) {
     out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, 0});
+    out.carriageways.push_back(is_carriageway_material(m.name));
+  }
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});
   for (const SceneMaterial& m : scene.materials)
     out.parts[static_cast<std::size_t>(Part::textures)] += m.texture.has_value();
@@ -225,8 +229,13 @@ LoadedLights load_lights(const std::filesystem::path& glb) {
 
 RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out) {
   RenderScene out;
-  std::future<LoadedLights> loading = std::async(std::launch::async, load_lights, glb);
+  std::future<LoadedLights> loading =
+      std::async(std::launch::async, [&, token = find_cancel_token()] {
+        const CancelScope scope(token);
+        return load_lights(glb);
+      });
   SceneFile file(glb);
+  throw_if_cancelled();
   auto [lights, light_file, georeference] = loading.get();
   if (!light_file.empty())
     require_same_scene(glb, file.scene().georeference, light_file, georeference);
@@ -254,6 +263,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   out.georeference = file.scene().georeference;
   out.places = file.scene().places;
   set_origin(out, find_local_origin(file.scene(), meshes, out.lights));
+  throw_if_cancelled();
   add_bodies(out, file.scene(), meshes, left_out);
   add_geometry(out, file.scene(), meshes, {left_out, numbers}, count_cores());
   Scene scene = file.finish();

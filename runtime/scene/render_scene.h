@@ -86,6 +86,7 @@ struct RenderScene {
   std::vector<Mesh> meshes{};                 // none is empty
   std::vector<gpu::Instance> instances;
   std::vector<gpu::Material> materials;  // at least one
+  std::vector<bool> carriageways{};      // by material: is_carriageway_material
   std::vector<gpu::Texture> textures{};
   LargeVector<std::uint32_t> texels{};  // of all textures
   std::vector<Light> lights;
@@ -141,7 +142,7 @@ struct SceneLights {
 RenderScene make_render_scene(const Scene& scene, SceneLights lights, const PartSet& left_out = {});
 
 /// Reads SCENE.glb and, if it exists, the light file beside it (SCENE.lights), without the parts in
-/// `left_out`. Throws Error.
+/// `left_out`. Throws Error; Cancelled where the thread's token asks for an end (formats/cancel.h).
 RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out = {});
 
 }  // namespace nightcity::scene

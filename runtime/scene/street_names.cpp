@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <utility>
 
 #include "runtime/scene/fold_name.h"
@@ -30,6 +31,7 @@ double find_length(const NamedStreet& street) {
 // The best comes first in the order of these members.
 struct Hit {
   int rank;
+  bool is_other_name;
   std::size_t letters;
   std::string name;
   double minus_length_m;
@@ -45,10 +47,18 @@ std::vector<std::size_t> find_streets(std::span<const NamedStreet> streets,
   if (wanted.empty()) return {};
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < streets.size(); ++i) {
-    std::string name = fold_name(streets[i].name);
-    const std::size_t letters = name.size();
-    if (const int rank = rank_name(name, wanted); rank < no_match)
-      hits.push_back({rank, letters, std::move(name), -find_length(streets[i]), i});
+    std::optional<Hit> best;
+    const auto look_at = [&](const std::string& written, bool is_other_name) {
+      std::string name = fold_name(written);
+      const int rank = rank_name(name, wanted);
+      if (rank == no_match) return;
+      const std::size_t letters = name.size();
+      Hit hit{rank, is_other_name, letters, std::move(name), -find_length(streets[i]), i};
+      if (!best || hit < *best) best = std::move(hit);
+    };
+    look_at(streets[i].name, false);
+    for (const std::string& other : streets[i].also) look_at(other, true);
+    if (best) hits.push_back(std::move(*best));
   }
   std::sort(hits.begin(), hits.end());
   std::vector<std::size_t> found;

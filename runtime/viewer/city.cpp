@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "formats/cancel.h"
 #include "formats/error.h"
 
 namespace nightcity::viewer {
@@ -16,9 +17,11 @@ Opening::Opening(std::string path, std::string camera, double time_s, scene::Lig
   city_ = std::async(
       std::launch::async, [this, path = path_, camera = std::move(camera), time_s, on,
                            load = std::move(load), device = device_.get_future()]() mutable {
+        const CancelScope scope(stop_.get_token());
         auto city = std::make_unique<City>();
         city->path = path;
         city->scene = load(path);
+        throw_if_cancelled();
         try {
           city->notice = city->edits.open(LightEditor::find_file(path), city->scene);
         } catch (const Error& error) {  // the city is there without them
@@ -27,10 +30,13 @@ Opening::Opening(std::string path, std::string camera, double time_s, scene::Lig
         city->projection = std::make_unique<MapProjection>(city->scene.georeference.crs,
                                                            city->scene.places.geographic);
         city->triangles = city->scene.triangles.size();
+        throw_if_cancelled();
         stage_ = "finding the camera";
         city->pose = scene::find_camera(camera, city->scene);
+        throw_if_cancelled();
         stage_ = "copying to the device";
         city->on_device = std::make_unique<render::DeviceScene>(*device.get(), city->scene);
+        throw_if_cancelled();
         // Lights are switched in the background later, so that the clock never blocks the window;
         // the first frame has its lights already.
         city->on_device->set_time(time_s, on);
@@ -40,6 +46,7 @@ Opening::Opening(std::string path, std::string camera, double time_s, scene::Lig
 }
 
 Opening::~Opening() {
+  stop_.request_stop();
   device_ = {};  // a thread that still waits for a device ends by an exception
   if (city_.valid()) city_.wait();
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "runtime/gpu/device.h"
@@ -33,14 +34,15 @@ std::string name_of(const std::string& path);
 
 using LoadScene = std::function<scene::RenderScene(const std::string& path)>;
 
-/// Reads a scene, copies it to the device and finds the camera's pose in a thread of its own.
+/// Reads a scene, copies it to the device and finds the camera's pose in a thread of its own, whose
+/// token (formats/cancel.h) asks for an end once nobody waits for the city.
 class Opening {
  public:
   /// `camera`: as find_camera takes it. Lights are switched to `time_s`, in seconds since noon, and
   /// those of families outside `on` are off.
   Opening(std::string path, std::string camera, double time_s, scene::LightFamilies on,
           LoadScene load);
-  /// Waits for the thread.
+  /// Ends the thread, which looks between its pieces of work whether it is to.
   ~Opening();
   Opening(const Opening&) = delete;
   Opening& operator=(const Opening&) = delete;
@@ -59,6 +61,7 @@ class Opening {
   std::string path_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<const char*> stage_{"reading"};
+  std::stop_source stop_;
   std::promise<gpu::Device*> device_;
   std::future<std::unique_ptr<City>> city_;
 };

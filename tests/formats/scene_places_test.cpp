@@ -48,6 +48,26 @@ TEST(ScenePlaces, GoThroughTheFileAndBack) {
   EXPECT_EQ(scene.places.streets[1].name, "東京");
 }
 
+TEST(ScenePlaces, OtherNamesGoThroughTheFileAndUnsoundOnesAreNotUsed) {
+  ScenePlaces places = make_places();
+  places.streets[1].also = {"Tokyo", "とうきょう"};
+  json extras = json::object();
+  add_to_json(places, extras);
+  EXPECT_FALSE(extras["streets"][0].contains("also"));
+  std::vector<std::string> skipped;
+  EXPECT_EQ(places_from_json(extras, skipped).streets[1].also, places.streets[1].also);
+  for (const json& unsound : {json("Tokyo"), json{"Tokyo", 7}, json{"Tokyo", "\x1b[31m"},
+                              json(std::vector<std::string>(33, "Tokyo"))}) {
+    extras["streets"][1]["also"] = unsound;
+    const ScenePlaces read = places_from_json(extras, skipped);
+    ASSERT_EQ(read.streets.size(), 2u);
+    EXPECT_TRUE(read.streets[1].also.empty());
+  }
+  EXPECT_TRUE(skipped.empty());
+  places.streets[1].also.assign(33, "Tokyo");
+  EXPECT_THROW(add_to_json(places, extras), Error);
+}
+
 TEST(ScenePlaces, ASceneWithoutThemHasNone) {
   const test::TempFolder folder;
   SceneWriter writer(folder / "city.glb", {});

@@ -1,9 +1,12 @@
 #include "tools/names/find_named_streets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "formats/finite.h"
@@ -15,6 +18,7 @@
 #include "tools/names/lines_apart.h"
 #include "tools/names/simplify_line.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 #include "tools/ring_area.h"
 #include "tools/roads/road_class.h"
 
@@ -87,6 +91,13 @@ glm::dvec2 find_inner_point(const Line& ring) {
   return centroid;
 }
 
+// Returns whether a tag of a street is another name of it.
+bool is_other_name(const std::string& key) {
+  constexpr std::array keys{"alt_name", "int_name", "loc_name", "nat_name",  "official_name",
+                            "old_name", "ref",      "reg_name", "short_name"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end() || key.starts_with("name:");
+}
+
 class Finder {
  public:
   Finder(const place::LonLatToFrame& to_frame, const Box& bounds, const Georeference& georeference)
@@ -120,6 +131,7 @@ class Finder {
  private:
   struct Lines {
     std::vector<Line> streets, squares;
+    std::set<std::string> also;  // names, some of which may be none
   };
 
   // Returns the lines of the name that the tags hold; nothing where they hold none to be found.
@@ -134,7 +146,11 @@ class Finder {
       ++result_.left_out["name of over 1020 bytes or with control characters"];
       return nullptr;
     }
-    return &by_name_[name->second];
+    Lines& lines = by_name_[name->second];
+    for (const auto& [key, value] : tags)
+      if (is_other_name(key))
+        for (const std::string_view part : osm::split_list(value)) lines.also.emplace(part);
+    return &lines;
   }
 
   void add_square(const glm::dvec2& place, Lines& lines) const {
@@ -157,8 +173,16 @@ class Finder {
       lines.push_back(simplify_line(line, tolerance_m));
     if (lines.empty()) return;
     ++result_.names;
+    std::vector<std::string> also;
+    for (const std::string& other : named.also) {
+      if (other == name || !is_street_name(other)) continue;
+      if (also.size() < max_other_names)
+        also.push_back(other);
+      else
+        ++result_.left_out["beyond 32 other names of a street"];
+    }
     for (const std::vector<Line>& group : group_lines_apart(lines)) {
-      NamedStreet street{name, {}};
+      NamedStreet street{name, {}, also};
       std::size_t points = 0;
       for (const Line& line : group) {
         street.lines.push_back(to_model(line));
@@ -169,6 +193,7 @@ class Finder {
         continue;
       }
       result_.points += points;
+      result_.other_names += also.size();
       result_.streets.push_back(std::move(street));
     }
   }

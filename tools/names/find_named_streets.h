@@ -22,6 +22,7 @@ osm::AreaSelection select_squares();
 struct NamedStreets {
   std::vector<NamedStreet> streets;  // by name; those of one name that lie apart by place
   std::size_t names = 0, points = 0;
+  std::size_t other_names = 0;                  // of the streets (NamedStreet::also)
   std::map<std::string, std::size_t> left_out;  // ways, areas and nodes of the map, by reason
 };
 
@@ -34,7 +35,9 @@ struct NamedThings {
 
 /// Returns the centrelines, within a metre, of what has a name and lies within `bounds` (E, N, m):
 /// of ways that people use and that are not below the ground. A square is a point inside it. Does
-/// not depend on the order of `things`.
+/// not depend on the order of `things`. Other names are those of OSM wiki, "Names": alt_name, int_name,
+/// loc_name, nat_name, official_name, old_name, reg_name and short_name, name in other languages,
+/// and the road's number, ref.
 NamedStreets find_named_streets(const NamedThings& things, const place::LonLatToFrame& to_frame,
                                 const ground_cover::Box& bounds, const Georeference& georeference);
 

@@ -47,6 +47,22 @@ std::vector<std::string> find(const std::vector<NamedStreet>& streets, const std
   return names;
 }
 
+TEST(FindStreets, OtherNamesLeadThereToo) {
+  const std::vector<std::vector<glm::dvec2>> line{{{0, 0}, {10, 0}}};
+  const std::vector<NamedStreet> streets{
+      {"Platz der Luftbrücke", line, {"Kreuz der Helden"}},
+      {"御堂筋", line, {"Midōsuji", "国道25号", "25"}},
+      {"Helden", line},
+      {"Karl-Marx-Allee", line, {"Stalinallee", "Große Frankfurter Straße"}},
+      {"Frankfurter Allee", line, {"B 1"}}};
+  EXPECT_EQ(find(streets, "midosuji"), (std::vector<std::string>{"御堂筋"}));
+  EXPECT_EQ(find(streets, "stalinallee"), (std::vector<std::string>{"Karl-Marx-Allee"}));
+  EXPECT_EQ(find(streets, "b 1"), (std::vector<std::string>{"Frankfurter Allee"}));
+  EXPECT_EQ(find(streets, "helden"), (std::vector<std::string>{"Helden", "Platz der Luftbrücke"}));
+  EXPECT_EQ(find(streets, "frankfurter"),
+            (std::vector<std::string>{"Frankfurter Allee", "Karl-Marx-Allee"}));
+}
+
 TEST(FindStreets, TheBestComesFirst) {
   const std::vector<std::vector<glm::dvec2>> line{{{0, 0}, {10, 0}}};
   const std::vector<NamedStreet> streets{{"Am Lindenplatz", line},    {"Unter den Linden", line},

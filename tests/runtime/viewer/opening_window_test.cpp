@@ -3,11 +3,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <string>
 #include <thread>
 
+#include "formats/cancel.h"
+#include "formats/parallel.h"
 #include "formats/program/child_program.h"
 #include "runtime/viewer/viewer.h"
 #include "support/scenes.h"
@@ -83,6 +86,52 @@ TEST(OpeningWindow, KeysThatNeedNoSceneAreObeyed) {
   EXPECT_NE(settings.find("show = 'luminance'"), std::string::npos) << settings;
   EXPECT_EQ(report.estimator, "ris");
   EXPECT_FALSE(std::filesystem::exists(folder / "night-001.png")) << "P needs the scene";
+}
+
+// Loading ends only when it is told to: by the two keys or the signal, through the window's loop.
+TEST(OpeningWindow, ClosingItEndsTheLoading) {
+  if (!has_program("Xvfb") || !has_program("xdotool"))
+    GTEST_SKIP() << "Xvfb or xdotool is not installed: no display or no keyboard";
+  const test::TempFolder folder;
+  Display display;
+  ASSERT_NE(display.number(), "");
+  for (const bool by_signal : {false, true}) {
+    std::atomic<bool> was_cancelled = false;
+    ViewOptions options;
+    options.scenes = {(folder / "town.glb").string()};
+    options.load = [&](const std::string&) {
+      const auto end = std::chrono::steady_clock::now() + 60s;
+      try {
+        while (std::chrono::steady_clock::now() < end)
+          run_parallel(8, 2, [](std::size_t) { std::this_thread::sleep_for(5ms); });
+      } catch (const Cancelled&) {
+        was_cancelled = true;
+        throw;
+      }
+      return test::SceneBuilder().ground(20).with({test::lamp({0, 5, 0}, 1000)});
+    };
+    options.camera = "overview";
+    options.width = 320;
+    options.height = 240;
+    std::chrono::steady_clock::time_point asked;
+    std::thread hands([&] {
+      const auto run = [](const std::string& command) { return std::system(command.c_str()); };
+      run("xdotool search --sync --onlyvisible --name nightview > /dev/null 2>&1");
+      std::this_thread::sleep_for(500ms);
+      asked = std::chrono::steady_clock::now();
+      if (by_signal)
+        std::raise(SIGTERM);
+      else
+        run("xdotool mousemove 300 220 key Escape");
+    });
+    const ViewReport report = run_viewer(options);
+    const auto closed = std::chrono::steady_clock::now();
+    hands.join();
+    EXPECT_TRUE(was_cancelled);
+    EXPECT_LT(closed - asked, 10s);
+    EXPECT_EQ(report.closing_signal, by_signal ? SIGTERM : 0);
+    EXPECT_EQ(report.shown, 0u);
+  }
 }
 
 }  // namespace

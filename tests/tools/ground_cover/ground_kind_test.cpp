@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/material_names.h"
+
 namespace nightcity::ground_cover {
 namespace {
 
@@ -21,6 +23,20 @@ TEST(GroundKind, ReflectsWhatItsSourceSays) {
     EXPECT_LE(find_material(range.kind).reflectance, range.high) << find_material(range.kind).name;
   }
   EXPECT_EQ(ground_materials().size(), ground_kind_count);
+}
+
+// What a reader of the scene can tell from the names (formats/material_names.h).
+TEST(GroundKind, CarriagewaysAreKnownByTheirMaterials) {
+  for (const GroundKind kind :
+       {GroundKind::asphalt, GroundKind::concrete, GroundKind::sett, GroundKind::paint})
+    EXPECT_TRUE(is_carriageway_material(find_material(kind).name)) << find_material(kind).name;
+  for (const GroundKind kind : {GroundKind::paving_stones, GroundKind::grass, GroundKind::kerb})
+    EXPECT_FALSE(is_carriageway_material(find_material(kind).name)) << find_material(kind).name;
+  EXPECT_TRUE(is_carriageway_material("road #804000"));
+  EXPECT_TRUE(is_carriageway_material("road picture 3"));
+  EXPECT_FALSE(is_carriageway_material("roadside"));
+  EXPECT_FALSE(is_carriageway_material("wall concrete 2"));
+  EXPECT_FALSE(is_carriageway_material(""));
 }
 
 TEST(GroundKind, ReadsSurfacesAsPeopleWriteThem) {

@@ -49,6 +49,26 @@ TEST(NamedStreets, AreLinesInModelSpaceThatEndWhereTheModelEnds) {
   EXPECT_TRUE(found.left_out.empty());
 }
 
+TEST(NamedStreets, OtherNamesAreThoseOfTheTagsForNames) {
+  const NamedStreets found = Map{
+      {way({{0, 10}, {50, 10}}, "Karl-Marx-Allee",
+           {{"old_name", "Stalinallee;Große Frankfurter Straße"}, {"ref", "B 1"}}),
+       way({{50, 10}, {90, 10}}, "Karl-Marx-Allee",
+           {{"name:en", "Karl Marx Avenue"},
+            {"alt_name", "Karl-Marx-Allee"},
+            {"name:ru", "\x1b[31m"},
+            {"surface", "asphalt"},
+            {"ref", "B 1"}}),
+       way({{0, 500}, {50, 500}}, "Plain")},
+      {},
+      {}}.find();
+  ASSERT_EQ(found.streets.size(), 2u);
+  EXPECT_EQ(found.streets[0].also, (std::vector<std::string>{"B 1", "Große Frankfurter Straße",
+                                                             "Karl Marx Avenue", "Stalinallee"}));
+  EXPECT_TRUE(found.streets[1].also.empty());
+  EXPECT_EQ(found.other_names, 4u);
+}
+
 TEST(NamedStreets, OfOneNameThatLieApartAreSeveral) {
   Map map{{way({{0, 10}, {50, 10}}, "Park Road"), way({{0, 20}, {50, 20}}, "Park Road")}, {}, {}};
   EXPECT_EQ(map.find().streets.size(), 1u);

@@ -13,6 +13,7 @@ nlohmann::json to_json(const PlacesReport& report) {
   return {{"degrees_error_m", report.degrees_error_m ? json(*report.degrees_error_m) : json()},
           {"why_no_degrees", report.why_no_degrees},
           {"names", report.names},
+          {"other_names", report.other_names},
           {"streets", report.streets},
           {"points", report.points},
           {"bytes", report.bytes},
@@ -24,10 +25,11 @@ std::string to_text(const PlacesReport& report) {
       report.degrees_error_m
           ? fmt::format("latitude and longitude within {:.4f} m", *report.degrees_error_m)
           : "no latitude and longitude: " + report.why_no_degrees;
-  std::string text = report_line(
-      "places",
-      fmt::format("{}; {} names of streets and squares in {} points; {:.1f} kB in all", degrees,
-                  report.names, report.points, static_cast<double>(report.bytes) / 1e3));
+  std::string text =
+      report_line("places", fmt::format("{}; {} names of streets and squares and {} other names of "
+                                        "these in {} points; {:.1f} kB in all",
+                                        degrees, report.names, report.other_names, report.points,
+                                        static_cast<double>(report.bytes) / 1e3));
   if (!report.left_out.empty())
     text += report_line("", "names left out: " + in_words(report.left_out));
   return text;

@@ -34,6 +34,7 @@ void add_streets(const City& city, const terrain::Extent& extent, const Georefer
   out.report.names = found.names;
   out.report.streets = found.streets.size();
   out.report.points = found.points;
+  out.report.other_names = found.other_names;
   out.report.left_out = std::move(found.left_out);
   out.places.streets = std::move(found.streets);
 }

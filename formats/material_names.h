@@ -1,0 +1,13 @@
+// Names of materials that a reader can tell something from (formats/SPEC.md, section 2.2).
+#pragma once
+
+#include <string_view>
+
+namespace nightcity {
+
+/// Returns whether carriageways are made of the material of this name: `road` and `road marking` of
+/// a city model and of paint, `asphalt`, `concrete` and `sett` of a map's streets, whatever colour
+/// or picture follows. Car parks and yards may be made of the last three, too.
+bool is_carriageway_material(std::string_view name);
+
+}  // namespace nightcity
