@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <random>
 #include <string>
 #include <tuple>
@@ -98,14 +99,10 @@ std::pair<fs::path, int> open_named(const fs::path& target) {
   });
 }
 
-FilePointer to_stream(int descriptor, const fs::path& path) {
-  FilePointer file(::fdopen(descriptor, "w+b"));
-  constexpr std::size_t buffer_size = std::size_t{1} << 16;  // fewer, larger writes
-  if (file && std::setvbuf(file.get(), nullptr, _IOFBF, buffer_size) == 0) return file;
-  if (file) fail(path, "cannot be written");
-  ::close(descriptor);
-  fail(path, "cannot be written");
-}
+// A byte costs the system a third of what it costs in writes of 4 kB (ext4 on Linux 6.18).
+constexpr std::size_t buffer_size = std::size_t{1} << 16;
+// A whole page, because some processors copy slowly to and from addresses just beside one.
+constexpr std::align_val_t buffer_alignment{4096};
 
 void put(const fs::path& path, std::FILE* file, const void* bytes, std::size_t size) {
   if (size != 0 && std::fwrite(bytes, 1, size, file) != size) fail(path, "cannot be written");
@@ -147,6 +144,19 @@ void replace(const fs::path& scratch, const fs::path& target, const fs::path& pa
 
 }  // namespace
 
+BufferedStream::BufferedStream(int descriptor, const fs::path& path)
+    // glibc takes the size of a buffer of its own from the file system, and not from setvbuf.
+    : buffer_(static_cast<char*>(::operator new(buffer_size, buffer_alignment))),
+      file_(::fdopen(descriptor, "w+b")) {
+  if (!file_) ::close(descriptor);
+  if (!file_ || std::setvbuf(file_.get(), buffer_.get(), _IOFBF, buffer_size) != 0)
+    fail(path, "cannot be written");
+}
+
+void BufferedStream::FreeBuffer::operator()(char* buffer) const noexcept {
+  ::operator delete(buffer, buffer_alignment);
+}
+
 fs::path scratch_folder() {
   const char* named = std::getenv("TMPDIR");
   const fs::path folder = named && *named ? named : "/tmp";
@@ -181,7 +191,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
     if (descriptor < 0) fail(path_, "cannot be written");
     leftover_ = Leftover(scratch_, Leftover::Kind::file);
   }
-  file_ = to_stream(descriptor, path_);
+  file_ = BufferedStream(descriptor, path_);
 }
 
 AtomicFile::~AtomicFile() {
@@ -259,7 +269,7 @@ ScratchFile::ScratchFile(const fs::path& path) : path_(path) {
     if (descriptor < 0) fail(path, "cannot be written");
     ::unlink(name.c_str());
   }
-  file_ = to_stream(descriptor, path);
+  file_ = BufferedStream(descriptor, path);
 }
 
 void ScratchFile::write(const void* bytes, std::size_t size) {

@@ -16,6 +16,23 @@ struct CloseFile {
   void operator()(std::FILE* file) const noexcept { std::fclose(file); }
 };
 
+/// An open file with a large buffer of its own.
+class BufferedStream {
+ public:
+  BufferedStream() = default;
+  /// Takes the descriptor; `path` is for messages.
+  BufferedStream(int descriptor, const std::filesystem::path& path);
+  std::FILE* get() const { return file_.get(); }
+  void reset() { file_.reset(); }
+
+ private:
+  struct FreeBuffer {
+    void operator()(char* buffer) const noexcept;
+  };
+  std::unique_ptr<char, FreeBuffer> buffer_;  // first: closing the file writes what it holds
+  std::unique_ptr<std::FILE, CloseFile> file_;
+};
+
 /// Returns the folder for files that belong to no output: the one that TMPDIR names, or /tmp.
 /// Throws Error where that is no folder that can be written into.
 std::filesystem::path scratch_folder();
@@ -52,7 +69,7 @@ class AtomicFile {
   std::filesystem::path scratch_;  // empty: the file has no name yet
   Leftover leftover_;
   bool is_stream_ = false;  // the target is a device or FIFO
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  BufferedStream file_;
   std::uint64_t size_ = 0;
 };
 
@@ -102,7 +119,7 @@ class ScratchFile {
   void copy(Target& target);
 
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  BufferedStream file_;
   std::uint64_t size_ = 0;
   bool unflushed_ = false;
 };

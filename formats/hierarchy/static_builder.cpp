@@ -18,6 +18,9 @@ glm::vec3 to_vec3(Float4 p) {
 // Gathers the pieces of triangles that come one by one.
 class PieceGatherer {
  public:
+  // `most`: there are so many triangles at most. Memory is taken when it is written to, so that room
+  // for all costs nothing, and no copies are made as they become more.
+  explicit PieceGatherer(std::size_t most) { pieces_.reserve(most); }
   void add(const Corners& triangle) {
     chunk_.push_back(triangle);
     if (chunk_.size() == piece_chunk) cut();
@@ -59,7 +62,7 @@ class SceneTriangles {
   // Gathers the triangles of static nodes in the order in which nightview stores them, and sets the
   // nodes.
   LargeVector<TrianglePiece> gather(StoredHierarchy& hierarchy) {
-    PieceGatherer gatherer;
+    PieceGatherer gatherer(count());
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       if (!is_static_[i] || nodes()[i].casts_shadow != hierarchy.casts_shadow) continue;
       const std::vector<glm::dmat4> placements = find_placements(nodes()[i]);

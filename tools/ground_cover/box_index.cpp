@@ -9,18 +9,28 @@ namespace {
 
 constexpr double finest_m = 32;
 
-// Passes a number for each square of a level that meets the box.
+double to_squares_a_metre(int level) {
+  return std::ldexp(1 / finest_m, -level);
+}
+
+std::int64_t to_square(double coordinate, double squares_a_metre) {
+  return static_cast<std::int64_t>(std::floor(coordinate * squares_a_metre));
+}
+
+std::uint64_t to_key(int level, std::int64_t column, std::int64_t row) {
+  return static_cast<std::uint64_t>(level) << 58 ^
+         static_cast<std::uint64_t>(column & 0x1FFF'FFFF) << 29 ^
+         static_cast<std::uint64_t>(row & 0x1FFF'FFFF);
+}
+
+// Passes the key of each square of a level that meets the box.
 template <class Visit>
 void for_each_square(const Box& box, int level, const Visit& visit) {
-  const double squares_a_metre = std::ldexp(1 / finest_m, -level);
-  const auto to_square = [&](double coordinate) {
-    return static_cast<std::int64_t>(std::floor(coordinate * squares_a_metre));
-  };
-  for (std::int64_t column = to_square(box.low.x); column <= to_square(box.high.x); ++column)
-    for (std::int64_t row = to_square(box.low.y); row <= to_square(box.high.y); ++row)
-      visit(static_cast<std::uint64_t>(level) << 58 ^
-            static_cast<std::uint64_t>(column & 0x1FFF'FFFF) << 29 ^
-            static_cast<std::uint64_t>(row & 0x1FFF'FFFF));
+  const double scale = to_squares_a_metre(level);
+  const std::int64_t right = to_square(box.high.x, scale), top = to_square(box.high.y, scale);
+  for (std::int64_t column = to_square(box.low.x, scale); column <= right; ++column)
+    for (std::int64_t row = to_square(box.low.y, scale); row <= top; ++row)
+      visit(to_key(level, column, row));
 }
 
 }  // namespace
@@ -57,12 +67,11 @@ std::vector<std::uint32_t> BoxIndex::find(const Box& box) const {
 }
 
 const std::vector<std::uint32_t>* BoxIndex::find_square(const glm::dvec2& place, int level) const {
-  const std::vector<std::uint32_t>* found = nullptr;
-  if (used_[static_cast<std::size_t>(level)])
-    for_each_square({place, place}, level, [&](std::uint64_t square) {
-      if (const auto at = squares_.find(square); at != squares_.end()) found = &at->second;
-    });
-  return found;
+  if (!used_[static_cast<std::size_t>(level)]) return nullptr;
+  const double scale = to_squares_a_metre(level);
+  const auto at =
+      squares_.find(to_key(level, to_square(place.x, scale), to_square(place.y, scale)));
+  return at == squares_.end() ? nullptr : &at->second;
 }
 
 }  // namespace nightcity::ground_cover

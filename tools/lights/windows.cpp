@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "formats/colour.h"
@@ -35,6 +37,26 @@ std::int64_t find_household(const WindowPlace& place, bool one_family, std::uint
   return 1 + (static_cast<std::int64_t>(place.facade) << 40 |
               static_cast<std::int64_t>(place.storey) << 20 | run);
 }
+
+// The heights of the ground at places that were asked for: windows stand above each other.
+class KnownGround {
+ public:
+  explicit KnownGround(const place::HeightAt& ground) : ground_(ground) {}
+  std::optional<double> at(const glm::dvec2& place) {
+    const auto [known, is_new] = known_.try_emplace(place);
+    if (is_new) known->second = ground_(place);
+    return known->second;
+  }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const glm::dvec2& p) const {
+      return mix(std::bit_cast<std::uint64_t>(p.x) ^ mix(std::bit_cast<std::uint64_t>(p.y)));
+    }
+  };
+  const place::HeightAt& ground_;
+  std::unordered_map<glm::dvec2, std::optional<double>, Hash> known_;
+};
 
 }  // namespace
 
@@ -175,8 +197,11 @@ WindowReport WindowLayout::finish(const place::HeightAt& ground, const Sink& sin
   };
   const auto check = [&](std::vector<Record>&& records) {
     CheckedWindows checked{std::move(records), {}};
+    KnownGround known(ground);
+    place::HeightAt height_at;
+    if (ground) height_at = [&known](const glm::dvec2& place) { return known.at(place); };
     for (const Record& record : checked.records)
-      checked.faults.push_back(fault(record, ground, inside));
+      checked.faults.push_back(fault(record, height_at, inside));
     return checked;
   };
   const auto take = [&](CheckedWindows&& checked) {

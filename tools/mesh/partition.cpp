@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "formats/error.h"
@@ -70,13 +71,14 @@ class Arrangement {
   // Joins faces that no outline parts into cells and asks who owns each.
   void find_owners(std::span<const OwnerFinder> layers) {
     if (triangulation_.dimension() < 2) return;
-    owners_.assign(1, std::vector<std::uint32_t>(layers.size(), no_label));  // of the outside
+    layers_ = layers.size();
+    owners_.assign(layers_, no_label);  // of the outside
     spread(triangulation_.infinite_face(), 0);
+    cells_ = 1;
     for (const Face face : triangulation_.finite_face_handles()) {
       if (face->info().cell != unset) continue;
-      const glm::dvec2 place = spread(face, static_cast<std::uint32_t>(owners_.size()));
-      std::vector<std::uint32_t>& owners = owners_.emplace_back();
-      for (const OwnerFinder& layer : layers) owners.push_back(layer.find(place));
+      const glm::dvec2 place = spread(face, cells_++);
+      for (const OwnerFinder& layer : layers) owners_.push_back(layer.find(place));
     }
   }
 
@@ -84,8 +86,8 @@ class Arrangement {
   std::vector<Edge> find_borders() const {
     std::vector<Edge> edges;
     for (const auto& [face, i] : triangulation_.finite_edges()) {
-      if (!face->is_constrained(i) ||
-          owners_[face->info().cell] == owners_[face->neighbor(i)->info().cell])
+      if (!face->is_constrained(i) || std::ranges::equal(owners_of(face->info().cell),
+                                                         owners_of(face->neighbor(i)->info().cell)))
         continue;
       edges.emplace_back(to_plan(face->vertex(Triangulation::cw(i))),
                          to_plan(face->vertex(Triangulation::ccw(i))));
@@ -95,16 +97,21 @@ class Arrangement {
 
   PlanePartition take() {
     PlanePartition out;
-    std::map<std::vector<std::uint32_t>, std::uint32_t> regions;
+    std::map<std::vector<std::uint32_t>, std::uint32_t> known;
+    std::vector<std::uint32_t> regions(cells_, unset);  // of each cell
     for (const Face face : triangulation_.finite_face_handles()) {
-      const std::vector<std::uint32_t>& owners = owners_[face->info().cell];
+      const std::span<const std::uint32_t> owners = owners_of(face->info().cell);
       if (std::all_of(owners.begin(), owners.end(), [](auto label) { return label == no_label; }))
         continue;
-      const auto [region, is_new] =
-          regions.try_emplace(owners, static_cast<std::uint32_t>(out.owners.size()));
-      if (is_new) out.owners.push_back(owners);
+      std::uint32_t& region = regions[face->info().cell];
+      if (region == unset) {
+        const auto [at, is_new] = known.try_emplace({owners.begin(), owners.end()},
+                                                    static_cast<std::uint32_t>(out.owners.size()));
+        if (is_new) out.owners.push_back(at->first);
+        region = at->second;
+      }
       PlanePartition::Triangle& triangle = out.triangles.emplace_back();
-      triangle.region = region->second;
+      triangle.region = region;
       for (int k = 0; k < 3; ++k) {
         const Vertex vertex = face->vertex(k);
         if (vertex->info().index == unset) {
@@ -120,6 +127,10 @@ class Arrangement {
   bool is_flat() const { return triangulation_.dimension() < 2; }
 
  private:
+  std::span<const std::uint32_t> owners_of(std::uint32_t cell) const {
+    return std::span(owners_).subspan(cell * layers_, layers_);
+  }
+
   // Gathers the different points of the edges, in order, and returns the numbers of each edge's
   // two ends among them.
   std::vector<std::uint32_t> number_points(const std::vector<Edge>& edges) {
@@ -156,13 +167,13 @@ class Arrangement {
 
   // Gives the cell's number to all its faces and returns the middle of the largest.
   glm::dvec2 spread(const Face& first, std::uint32_t cell) {
-    std::vector<Face> open{first};
+    open_.assign(1, first);
     first->info().cell = cell;
     Face largest = first;
     double largest_area = -1;
-    while (!open.empty()) {
-      const Face face = open.back();
-      open.pop_back();
+    while (!open_.empty()) {
+      const Face face = open_.back();
+      open_.pop_back();
       if (!triangulation_.is_infinite(face))
         if (const double area = area_of(face); area > largest_area)
           largest = face, largest_area = area;
@@ -170,7 +181,7 @@ class Arrangement {
         const Face next = face->neighbor(i);
         if (face->is_constrained(i) || next->info().cell != unset) continue;
         next->info().cell = cell;
-        open.push_back(next);
+        open_.push_back(next);
       }
     }
     if (largest_area < 0) return {};
@@ -180,9 +191,12 @@ class Arrangement {
   }
 
   Triangulation triangulation_;
-  std::vector<glm::dvec2> points_;                  // of the input, in order
-  std::vector<Vertex> vertices_;                    // of these points
-  std::vector<std::vector<std::uint32_t>> owners_;  // of each cell
+  std::vector<glm::dvec2> points_;  // of the input, in order
+  std::vector<Vertex> vertices_;    // of these points
+  std::size_t layers_ = 0;
+  std::uint32_t cells_ = 0;
+  std::vector<std::uint32_t> owners_;  // of each cell, layer by layer
+  std::vector<Face> open_;             // memory of spread()
 };
 
 }  // namespace

@@ -29,23 +29,27 @@ class Disc {
       : u_(glm::normalize(glm::cross(
             direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)))),
         v_(glm::cross(direction, u_)),
+        none_(none),
         first_(std::size_t{side} * side, none) {}
 
+  // Numbers ascend from call to call, so that a ray which has a leaf needs no other.
   void add(const LeafQuad& leaf, std::uint32_t number) {
     const glm::dvec2 corner = project(leaf[0]), a = project(leaf[1]) - corner,
                      b = project(leaf[3]) - corner;
     const double area = a.x * b.y - a.y * b.x;
     if (area == 0) return;
     const glm::dvec2 middle = corner + (a + b) / 2.0, reach = (glm::abs(a) + glm::abs(b)) / 2.0;
-    for (int row = to_square(middle.y - reach.y); row <= to_square(middle.y + reach.y); ++row)
-      for (int column = to_square(middle.x - reach.x); column <= to_square(middle.x + reach.x);
-           ++column) {
+    const int left = to_square(middle.x - reach.x), right = to_square(middle.x + reach.x),
+              top = to_square(middle.y + reach.y);
+    for (int row = to_square(middle.y - reach.y); row <= top; ++row)
+      for (int column = left; column <= right; ++column) {
+        std::uint32_t& first = first_[static_cast<std::size_t>(row * side + column)];
+        if (first != none_) continue;
         const glm::dvec2 p = find_ray(column, row) - corner;
         const double along_a = (p.x * b.y - p.y * b.x) / area,
                      along_b = (a.x * p.y - a.y * p.x) / area;
         if (along_a < 0 || along_a > 1 || along_b < 0 || along_b > 1) continue;
-        std::uint32_t& first = first_[static_cast<std::size_t>(row * side + column)];
-        first = std::min(first, number);
+        first = number;
       }
   }
 
@@ -68,6 +72,7 @@ class Disc {
   }
 
   glm::dvec3 u_, v_;
+  std::uint32_t none_;
   std::vector<std::uint32_t> first_;  // of each square
 };
 

@@ -13,15 +13,18 @@ LineGrid::LineGrid(const Box& box)
     : box_(box), square_m_(glm::max((box.high - box.low) / double{side}, 1e-3)) {}
 
 int LineGrid::find_square(double coordinate, int axis) const {
-  return static_cast<int>(std::clamp(std::floor((coordinate - box_.low[axis]) / square_m_[axis]),
-                                     0.0, double{side - 1}));
+  return static_cast<int>(
+      std::clamp((coordinate - box_.low[axis]) / square_m_[axis], 0.0, double{side - 1}));
 }
 
 template <class Visit>
-void LineGrid::for_each_square(const Box& box, const Visit& visit) const {
-  for (int row = find_square(box.low.y, 1); row <= find_square(box.high.y, 1); ++row)
-    for (int column = find_square(box.low.x, 0); column <= find_square(box.high.x, 0); ++column)
-      visit(static_cast<std::size_t>(row * side + column));
+bool LineGrid::any_square(const Box& box, const Visit& visit) const {
+  const int left = find_square(box.low.x, 0), right = find_square(box.high.x, 0),
+            top = find_square(box.high.y, 1);
+  for (int row = find_square(box.low.y, 1); row <= top; ++row)
+    for (int column = left; column <= right; ++column)
+      if (visit(static_cast<std::size_t>(row * side + column))) return true;
+  return false;
 }
 
 void LineGrid::add_ring(const std::vector<glm::dvec2>& ring) {
@@ -34,16 +37,17 @@ void LineGrid::add_ring(const std::vector<glm::dvec2>& ring) {
     for (int k = 0; k < pieces; ++k) {
       const glm::dvec2 from = glm::mix(a, b, double(k) / pieces),
                        to = glm::mix(a, b, double(k + 1) / pieces);
-      for_each_square({glm::min(from, to) - slack_m, glm::max(from, to) + slack_m},
-                      [&](std::size_t square) { marked_.set(square); });
+      any_square({glm::min(from, to) - slack_m, glm::max(from, to) + slack_m},
+                 [&](std::size_t square) {
+                   marked_.set(square);
+                   return false;
+                 });
     }
   }
 }
 
 bool LineGrid::meets(const Box& box) const {
-  bool found = false;
-  for_each_square(box, [&](std::size_t square) { found = found || marked_.test(square); });
-  return found;
+  return any_square(box, [&](std::size_t square) { return marked_.test(square); });
 }
 
 }  // namespace nightcity::bake

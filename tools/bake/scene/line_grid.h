@@ -22,8 +22,9 @@ class LineGrid {
  private:
   static constexpr int side = 256;
   int find_square(double coordinate, int axis) const;
+  // Passes squares that meet the box until `visit` returns true, and returns whether it did.
   template <class Visit>
-  void for_each_square(const ground_cover::Box& box, const Visit& visit) const;
+  bool any_square(const ground_cover::Box& box, const Visit& visit) const;
 
   ground_cover::Box box_;
   glm::dvec2 square_m_;
