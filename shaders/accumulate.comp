@@ -7,6 +7,7 @@
 #include "shaders/similar.glsl"
 #include "shaders/accumulation.glsl"
 #include "shaders/display.glsl"
+#include "shaders/dark_blocks.glsl"
 
 void main() {
   uvec2 pixel;
@@ -17,6 +18,8 @@ void main() {
     radiance += FRAME.radiance.at[slice * pixels_of_picture() + index].sum;
   // The last guard: no NaN or Inf reaches a pixel, and none stays in a sum.
   if (!all_finite(radiance)) radiance = vec3(0.0);
+  if (luminance(radiance) > DARK_RANGE * FRAME.faint_luminance)
+    FRAME.lit_blocks.at[block_of(pixel)] = 1u;
 
   Accumulation total = NO_ACCUMULATION;
   if (FRAME.window == 0u) {

@@ -11,6 +11,7 @@
 #include "shaders/reservoir.glsl"
 #include "shaders/half_rate.glsl"
 #include "shaders/resampling.glsl"
+#include "shaders/dark_blocks.glsl"
 
 // Lights that are fainter than the strongest candidate by more than this factor are a set of their
 // own.
@@ -47,6 +48,8 @@ Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver,
   ReservoirBuilder chosen = others;
   if (dominated || takes_strongest) chosen = strongest;
   chosen.weight_sum = both;
+  const float factor = play_roulette(chosen, 1.0);
+  if (factor == 0.0) return Reservoir(NO_HIT, 0u, float(FRAME.candidates), 0.0);
   bool is_seen = false;
   // A loop, because a second place that traces rays costs more than the rays do.
   for (uint tests = dominated ? 2u : 1u; tests > 0u && chosen.weight_sum > 0.0; --tests) {
@@ -56,8 +59,8 @@ Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver,
     if (is_seen) chosen.weight_sum = both;
     is_seen = false;
   }
-  chosen.M = float(candidates);
-  Reservoir reservoir = finalize(chosen, 1.0);
+  chosen.M = float(FRAME.candidates);
+  Reservoir reservoir = finalize(chosen, factor);
   if (!is_seen) reservoir.W = 0.0;
   return reservoir;
 }
@@ -88,7 +91,7 @@ void main() {
 
   if (has_shadowed_target(ESTIMATOR)) {
     store(index, is_reused,
-          resample_visible_lights(light_sampler, receiver, FRAME.candidates));
+          resample_visible_lights(light_sampler, receiver, candidates_of(pixel)));
     return;
   }
   Reservoir reservoir = resample_lights(light_sampler, receiver, FRAME.candidates);

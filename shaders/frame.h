@@ -179,6 +179,10 @@ struct Frame {
   // The pixel's target of its own sample and, a picture for each pairing, of its partner's sample.
   // Targets of empty reservoirs are not written.
   BUFFER(Targets) pair_targets;
+  // Per block of WORKGROUP_SIZE^2 pixels: 1 where one of them shows more than is nearly black
+  // (dark_blocks.glsl).
+  BUFFER(Words) lit_blocks;
+  BUFFER(Words) previous_lit_blocks;
   BUFFER(PathVertices) path;  // of the reference
   BUFFER(IrradianceCells) cells;
   BUFFER(Words) seen_cells;  // their number, then the indices of the cells that this frame sees
@@ -213,6 +217,7 @@ struct Frame {
   uint pair_block;   // side of the blocks within which pixels are paired: a power of two
   uint half_rate;    // 0 = all pixels are sampled; else 1 or 2: half_rate.glsl says which
   uint permutation;  // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
+  float faint_luminance;  // samples that show less, cd/m^2, play Russian roulette; 0 = none do
   // Shares of candidates by how they are sampled. vehicle_share is a share of all, sampled from
   // vehicles' lights. The others are shares of the rest: uniformly, from the near grid's cell, from
   // the far grid's cell; what then remains is sampled by flux.

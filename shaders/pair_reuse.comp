@@ -53,5 +53,5 @@ void main() {
     add_pair(reuse, other, p, i + 1u);
   }
   add_canonical(reuse, canonical);
-  FRAME.spatial.at[index] = finalize(reuse.builder, 1.0);
+  FRAME.spatial.at[index] = finalize_with_roulette(reuse.builder, 1.0);
 }

@@ -7,11 +7,13 @@
 #include "shaders/surface_hit.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/trip_pose.glsl"
+#include "shaders/dark_blocks.glsl"
 
 void main() {
   uvec2 pixel;
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
+  if (all(equal(pixel % WORKGROUP_SIZE, uvec2(0u)))) FRAME.lit_blocks.at[block_of(pixel)] = 0u;
 
   Hit hit;
   Surface surface =

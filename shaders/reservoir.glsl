@@ -1,4 +1,5 @@
 // Weighted reservoir sampling over (light, uv) samples.
+#include "shaders/roulette.glsl"
 
 const Reservoir EMPTY_RESERVOIR = Reservoir(NO_HIT, 0u, 0.0, 0.0);
 
@@ -55,4 +56,17 @@ Reservoir finalize(ReservoirBuilder builder, float normalisation) {
   const float W = builder.target > 0.0 ? normalisation * builder.weight_sum / builder.target : 0.0;
   r.W = finite(W) ? W : 0.0;
   return r;
+}
+
+// Returns the factor of a reservoir of this pixel by how much light it shows, its target times W.
+// What is nearly black then costs fewer rays: a reservoir with W = 0 needs none. The factor is a
+// random number whose mean is 1, so the expected value stays; M stays, because weights must not
+// depend on samples.
+float play_roulette(ReservoirBuilder builder, float normalisation) {
+  return play_roulette(normalisation * builder.weight_sum, FRAME.faint_luminance);
+}
+
+// Does finalize() with roulette.
+Reservoir finalize_with_roulette(ReservoirBuilder builder, float normalisation) {
+  return finalize(builder, normalisation * play_roulette(builder, normalisation));
 }

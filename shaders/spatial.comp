@@ -64,5 +64,5 @@ void main() {
       const Receiver there = receiver_of(FRAME.surfaces.at[neighbour[i]]);
       add_balance(balance, reuse, FRAME.reservoirs.at[neighbour[i]].M, there, i + 1u);
     }
-  FRAME.spatial.at[index] = finalize(reuse.builder, normalisation(reuse, balance));
+  FRAME.spatial.at[index] = finalize_with_roulette(reuse.builder, normalisation(reuse, balance));
 }

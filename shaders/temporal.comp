@@ -40,5 +40,5 @@ void main() {
   Balance balance = begin_balance(reuse);
   if (reuse_weights(ESTIMATOR) == WEIGHTS_BALANCE)
     add_balance(balance, reuse, history.M, there, 1u);
-  FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));
+  FRAME.reservoirs.at[index] = finalize_with_roulette(reuse.builder, normalisation(reuse, balance));
 }

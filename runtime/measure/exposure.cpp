@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "formats/error.h"
@@ -39,11 +40,11 @@ std::vector<MeteredPixel> find_metered(const Image& image, Counts counts) {
   return pixels;
 }
 
-// Returns the EV100 of the pixels for which `counts(pixel)` holds.
+// Returns the EV100 of the pixels for which `counts(pixel)` holds, if any can be metered.
 template <class Counts>
-float meter(const Image& image, Counts counts) {
+std::optional<double> meter(const Image& image, Counts counts) {
   const std::vector<MeteredPixel> pixels = find_metered(image, counts);
-  if (pixels.empty()) return default_ev100;
+  if (pixels.empty()) return {};
   double sum = 0.0, weight_sum = 0.0;
   for (const MeteredPixel& pixel : pixels) {
     const double log_luminance = std::log2(double(pixel.luminance));
@@ -53,20 +54,38 @@ float meter(const Image& image, Counts counts) {
   }
   const double mean_log2 = sum / weight_sum;
   constexpr double meter_k = 12.5;
-  const double ev100 = mean_log2 + std::log2(100.0 / meter_k);
-  return static_cast<float>(std::clamp(ev100, -12.0, 24.0));
+  return mean_log2 + std::log2(100.0 / meter_k);
+}
+
+// Returns auto_exposure_ev100() without its bounds, if any pixel can be metered.
+std::optional<double> meter(const Image& image) {
+  const std::optional<double> all = meter(image, [](std::size_t) { return true; });
+  const ImageLayer* emitters = image.layer("emitter");
+  if (!all || !emitters) return all;
+  const std::vector<float>& values = emitters->values;
+  if (std::find(values.begin(), values.end(), 0.0f) == values.end()) return all;
+  const std::optional<double> lit = meter(image, [&](std::size_t i) { return values[i] == 0; });
+  return std::max(lit.value_or(default_ev100), *all - emitters_over_ev);
 }
 
 }  // namespace
 
 float auto_exposure_ev100(const Image& image) {
-  const float all = meter(image, [](std::size_t) { return true; });
-  const ImageLayer* emitters = image.layer("emitter");
-  if (!emitters) return all;
-  const std::vector<float>& values = emitters->values;
-  if (std::find(values.begin(), values.end(), 0.0f) == values.end()) return all;
-  const float lit = meter(image, [&](std::size_t i) { return values[i] == 0; });
-  return std::max(lit, all - emitters_over_ev);
+  const double ev100 = meter(image).value_or(default_ev100);
+  return static_cast<float>(std::clamp(ev100, -12.0, 24.0));
+}
+
+float find_first_step(const Image& image) {
+  const std::optional<double> ev100 = meter(image);
+  if (!ev100) return 0;
+  // The curves rise everywhere, so bisection finds the step.
+  float dark = 0, seen = 1;
+  for (int i = 0; i < 40; ++i) {
+    const float middle = (dark + seen) / 2;
+    const bool is_seen = 255 * tonemap::srgb_encode(tonemap::filmic_curve(middle)) >= 1;
+    (is_seen ? seen : dark) = middle;
+  }
+  return seen / tonemap::exposure_scale(static_cast<float>(*ev100));
 }
 
 glm::vec3 mean_light(const Image& image) {

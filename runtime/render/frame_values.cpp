@@ -53,7 +53,7 @@ gpu::Air make_air(const AirSettings& settings, float ground_m) {
   return air;
 }
 
-void fill_sampling(gpu::Frame& frame, const RenderSettings& chosen) {
+void fill_sampling(gpu::Frame& frame, const RenderSettings& chosen, float step_cd_m2) {
   const bool as_published = traits_of(chosen.sampling.estimator).as_published;
   const RenderSettings settings = as_published ? to_published(chosen) : chosen;
   const SamplingSettings& sampling = settings.sampling;
@@ -69,6 +69,7 @@ void fill_sampling(gpu::Frame& frame, const RenderSettings& chosen) {
   frame.vehicle_share = as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count))
                                      : sampling.vehicle_share;
 
+  frame.faint_luminance = sampling.roulette_steps * step_cd_m2;
   const ReuseSettings& reuse = settings.reuse;
   frame.neighbours = reuse.neighbours;
   frame.neighbour_radius = reuse.neighbour_radius_px;

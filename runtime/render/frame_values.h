@@ -24,6 +24,7 @@ void level_camera(gpu::Camera& camera);
 gpu::Air make_air(const AirSettings& settings, float ground_m);
 
 /// Fills in how lights are sampled and reservoirs reused. The frame's scene and number are there.
-void fill_sampling(gpu::Frame& frame, const RenderSettings& settings);
+/// `step_cd_m2` is the light that shows as one step of an 8-bit picture; 0 = not known yet.
+void fill_sampling(gpu::Frame& frame, const RenderSettings& settings, float step_cd_m2);
 
 }  // namespace nightcity::render

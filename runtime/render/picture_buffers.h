@@ -18,15 +18,21 @@ inline void fit(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes) {
 struct PictureBuffers {
   glm::uvec2 size{0};
   gpu::Buffer surfaces, spatial, accumulation;
+  gpu::Buffer lit_blocks;  // where frames sample lights (shaders/dark_blocks.glsl)
   gpu::Buffer hits;     // where frames keep them
   gpu::Buffer display;  // 8-bit sRGB, R in the low byte
 
   std::size_t pixels() const { return std::size_t{size.x} * size.y; }
+  std::size_t blocks() const {
+    const glm::uvec2 blocks = (size + glm::uvec2(WORKGROUP_SIZE - 1)) / glm::uvec2(WORKGROUP_SIZE);
+    return std::size_t{blocks.x} * blocks.y;
+  }
   void set_size(gpu::Device& device, glm::uvec2 wanted) {
     size = wanted;
     fit(device, surfaces, pixels() * sizeof(gpu::Surface));
     fit(device, spatial, pixels() * sizeof(gpu::Reservoir));
     fit(device, accumulation, pixels() * sizeof(gpu::Accumulation));
+    fit(device, lit_blocks, blocks() * sizeof(std::uint32_t));
     fit(device, display, pixels() * sizeof(std::uint32_t));
   }
 };

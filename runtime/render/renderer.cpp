@@ -131,6 +131,8 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   frame.reservoirs = reserve(reservoirs_, pixels * sizeof(gpu::Reservoir));
   frame.spatial = now.spatial.address();
   frame.previous_reservoirs = before.spatial.address();
+  frame.lit_blocks = now.lit_blocks.address();
+  frame.previous_lit_blocks = before.lit_blocks.address();
   frame.slices = choose_reference_slices(settings, size_, frame.scene.light_count);
   frame.radiance = reserve(radiance_, frame.slices * pixels * sizeof(gpu::Accumulation));
   frame.accumulation = now.accumulation.address();
@@ -212,6 +214,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
   next_.effort = effort;
   size_ = scale_size(picture_size_, settings.sampling.resolution_scale * effort.resolution_scale);
   restart_if_changed();
+  if (!next_.has_history) next_.age = 0, next_.step_cd_m2 = 0;
   passes_ = &library_.get(find_constants(settings, scene_));
 
   RenderSettings bounded = settings;
@@ -221,7 +224,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
   gpu::Frame frame{};
   fill_buffers(frame, bounded);
   fill_view(frame);
-  fill_sampling(frame, bounded);
+  fill_sampling(frame, bounded, next_.step_cd_m2);
   frame_.upload(&frame, sizeof(frame));
   next_.lit = frame.scene.lit;
   run_.start(list_steps({.passes = *passes_,
@@ -261,6 +264,16 @@ void Renderer::finish_frame() {
   ++done_.frames;
   if (settings.averaging.window > 0)
     done_.frames = std::min(done_.frames, settings.averaging.window);
+  meter_faint();
+}
+
+void Renderer::meter_faint() {
+  constexpr std::uint32_t frames_between = 32;
+  constexpr std::size_t metered_pixels = 5'000;
+  const SamplingSettings& sampling = done_.settings.sampling;
+  if (done_.age++ % frames_between != 0) return;
+  if (!traits_of(sampling.estimator).reuses || sampling.roulette_steps <= 0) return;
+  done_.step_cd_m2 = measure::find_first_step(sample_mean(metered_pixels));
 }
 
 void Renderer::abandon_frame() {

@@ -143,6 +143,10 @@ class Renderer {
     std::uint32_t light_changes = 0;  // DeviceScene::light_changes() then
     std::uint32_t frames = 0;
     bool has_history = false;
+    std::uint32_t age = 0;  // frames since there was no history
+    // Light that shows as one step of an 8-bit picture at the metered exposure, cd/m^2; 0 = not
+    // metered yet.
+    float step_cd_m2 = 0;
   };
 
   // The steps of begin_frame. check throws UsageError.
@@ -153,6 +157,8 @@ class Renderer {
   // Writes the display from a view other than the picture.
   void inspect(gpu::Frame& frame, const DisplaySettings& display, const Renderer* reference);
   void finish_frame();
+  // Meters what Russian roulette takes for faint, now and then: it need not be exact.
+  void meter_faint();
   // Returns whether the last frame has fewer pixels than the picture.
   bool is_scaled() const {
     return done_.settings.sampling.resolution_scale * done_.effort.resolution_scale < 1;

@@ -20,6 +20,11 @@ bool chooses_shares(const Settings& s) {
   return traits(s).samples && !traits(s).as_published;
 }
 
+// Only reservoirs that are reused or tested for shadow before they are.
+bool may_play_roulette(const Settings& s) {
+  return traits(s).reuses && !traits(s).as_published;
+}
+
 bool reuses(const Settings& s) {
   return traits(s).reuses;
 }
@@ -204,6 +209,16 @@ std::vector<Setting> make_last_settings() {
                "its light; unbiased at rest. Pictures say so",
        .value = at<sampling, &Sampling::half_rate>,
        .applies = may_have_half_rate,
+       .is_swept = true},
+      {.name = "roulette",
+       .group = Group::sampling,
+       .unit = "8-bit steps",
+       .max = 1000,
+       .help = "Samples that show less than this at the metered exposure are dropped or weighed up "
+               "by chance (Russian roulette): fewer rays for what is nearly black, unbiased; 0 = "
+               "none are. Not in the first frame, which the exposure is metered from",
+       .value = at<sampling, &Sampling::roulette_steps>,
+       .applies = may_play_roulette,
        .is_swept = true},
   };
 }

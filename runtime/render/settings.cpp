@@ -139,6 +139,7 @@ RenderSettings to_published(RenderSettings settings) {
   settings.sampling.near_share = 0;
   settings.sampling.far_share = 0;
   settings.sampling.uniform_share = 1;
+  settings.sampling.roulette_steps = 0;
   settings.reuse.history_falloff_m = 0;
   settings.reuse.disocclusion_boost = 0;
   settings.reuse.permute = false;

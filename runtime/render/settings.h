@@ -54,6 +54,9 @@ struct SamplingSettings {
   float uniform_share = 0.05f;              // sampled uniformly over all lights
   float vehicle_share =
       0.3f;  // of all candidates, at most, sampled from vehicles' lights where any shine
+  // Russian roulette decides whether a sample is kept that shows less than this, in steps of an
+  // 8-bit picture at the metered exposure (shaders/roulette.glsl); 0 keeps all.
+  float roulette_steps = 1;
   // Sides that are rendered as a share of the picture's, 0.1 .. 1; less than 1 is upscaled.
   float resolution_scale = 1;
   // Samples every second pixel in a frame, the others in the next, and fills those that it does not

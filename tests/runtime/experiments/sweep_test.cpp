@@ -36,7 +36,7 @@ TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
                          "local-share",      "wide-share",     "uniform-share", "fleet-share",
                          "visibility-reuse", "bounces",        "cache",         "cache-cell",
                          "cache-paths",      "air-candidates", "air-block",     "resolution-scale",
-                         "half-rate"}));
+                         "half-rate",        "roulette"}));
 }
 
 TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {

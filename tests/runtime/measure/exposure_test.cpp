@@ -52,6 +52,19 @@ TEST(Exposure, MeteredGreyLandsAtTheMetersReflectance) {
   }
 }
 
+// Of a grey picture, the first step is the light that to_code_value rounds to 1, at any scale.
+TEST(Exposure, TheFirstStepIsTheFirstCodeValueThatIsShown) {
+  for (const float cd_m2 : {1e-12f, 0.002f, 40.0f}) {
+    const float step = find_first_step(grey(5, 5, cd_m2));
+    EXPECT_NEAR(step / cd_m2, 0.0123, 0.0001) << cd_m2;
+    const float exposed = step / cd_m2 * 12.5f * 0.65f / 78.0f;
+    const auto code = [](float x) { return 255 * tonemap::srgb_encode(tonemap::filmic_curve(x)); };
+    EXPECT_GE(code(exposed * 1.001f), 1.0f) << cd_m2;
+    EXPECT_LT(code(exposed * 0.999f), 1.0f) << cd_m2;
+  }
+  EXPECT_EQ(find_first_step(grey(4, 4, 0)), 0.0f);
+}
+
 TEST(Exposure, TenTimesTheLightIsTenTimesLessExposure) {
   const float low = auto_exposure_ev100(grey(3, 3, 0.1f)),
               high = auto_exposure_ev100(grey(3, 3, 1.0f));

@@ -91,6 +91,23 @@ TEST(Guard, FaintLightIsNotClampedAway) {
                    "normalisation * builder.weight_sum / max(builder.target, 1.0e-8)"}});
 }
 
+// Russian roulette drops most samples of a dim picture; those that stay stand for them.
+TEST(Guard, WhatRouletteKeepsIsWeighed) {
+  Shot shot = one_lamp(render::Estimator::traced, 5000, 64);
+  shot.settings.sampling.roulette_steps = 1000;
+  Shot exact = one_lamp(render::Estimator::reference);
+  const Property keeps_the_mean = [=](render::PassLibrary& passes) {
+    const measure::Image ours = taken(passes, shot), truth = taken(passes, exact);
+    double sum = 0, expected = 0;
+    for (std::size_t i = 0; i < ours.pixels(); ++i) {
+      sum += luminance(ours, i);
+      expected += luminance(truth, i);
+    }
+    return std::abs(sum - expected) < 0.05 * expected;
+  };
+  expect_guarded(keeps_the_mean, {{"roulette.glsl", "? 1.0 / chance : 0.0", "? 1.0 : 0.0"}});
+}
+
 // A window lights one side only: on the other every target is zero, W would be 0 / 0.
 TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
   const Property dark_half_is_dark = [](render::PassLibrary& passes) {
@@ -114,8 +131,10 @@ TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
 
 const ShaderEdit poisoned_history{
     "temporal.comp",
-    "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));",
-    "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));\n"
+    "FRAME.reservoirs.at[index] = finalize_with_roulette(reuse.builder, normalisation(reuse, "
+    "balance));",
+    "FRAME.reservoirs.at[index] = finalize_with_roulette(reuse.builder, normalisation(reuse, "
+    "balance));\n"
     "  if (FRAME.frame == 2u) FRAME.reservoirs.at[index].W = uintBitsToFloat(0x7FC00000u);"};
 
 // A reservoir with NaN or infinity is emptied when it is loaded; otherwise the history never
@@ -256,8 +275,10 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
 TEST(Guard, ALightIndexOutOfRangeIsDropped) {
   const MutatedShaders poisoned(
       {{"temporal.comp",
-        "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));",
-        "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));\n"
+        "FRAME.reservoirs.at[index] = finalize_with_roulette(reuse.builder, normalisation(reuse, "
+        "balance));",
+        "FRAME.reservoirs.at[index] = finalize_with_roulette(reuse.builder, normalisation(reuse, "
+        "balance));\n"
         "  if (FRAME.frame % 2u == 0u) FRAME.reservoirs.at[index].light = 0x7FFFFFF0u;"}});
   render::PassLibrary passes(test_device());
   Shot shot = one_lamp(render::Estimator::pairwise, 5000, 5);

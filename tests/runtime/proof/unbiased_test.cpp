@@ -107,6 +107,12 @@ TEST(Unbiased, TheDefaultWhereHiddenLampsOutshineTheRest) {
   // Few of a frame's candidates are seen, so the picture is noisy.
   expect_unbiased(analytic_with_hidden_lamps(), render::RenderSettings{}.sampling.estimator, 768);
 }
+// Most of the picture shows less than thirty steps, so roulette decides about most samples.
+TEST(Unbiased, WithRouletteForMostSamples) {
+  render::RenderSettings settings = settings_for(render::RenderSettings{}.sampling.estimator);
+  settings.sampling.roulette_steps = 30;
+  expect_unbiased(analytic(), settings, 192);
+}
 TEST(Unbiased, RisOnAnAnalyticScene) {
   expect_unbiased(analytic(), render::Estimator::ris);
 }

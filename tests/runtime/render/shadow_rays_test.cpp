@@ -43,6 +43,28 @@ TEST_F(ShadowRays, TheDefaultCastsSevenAtMost) {
   EXPECT_GT(later, 3 + 0.8 * partners);
 }
 
+// Around a lit square the ground is nearly black: most samples there are dropped before their rays.
+TEST(Roulette, SavesRaysWhereThePictureIsNearlyBlack) {
+  std::vector<Light> lamps;
+  for (int i = 0; i < 400; ++i)
+    lamps.push_back(lamp({float(i % 20) * 30 - 285, 8, float(i / 20) * 30 - 285}, 5000));
+  const scene::RenderScene scene = SceneBuilder().ground(2000).with(lamps);
+  render::DeviceScene device_scene(test_device(), scene);
+  const auto rays_per_pixel = [&](float steps) {
+    render::RenderSettings settings = with_estimator(render::Estimator::traced);
+    settings.count_rays = true;
+    settings.sampling.roulette_steps = steps;
+    render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+    for (int i = 0; i < 3; ++i)
+      renderer.render_frame({{0, 1000, 0}, {0, 0, 0}, {0, 0, -1}, 90}, settings);
+    return double(renderer.shadow_rays()) / pixels;
+  };
+  const double all = rays_per_pixel(0), some = rays_per_pixel(1);
+  EXPECT_GT(all, 6);
+  EXPECT_LT(some, 0.5 * all);
+  EXPECT_GT(some, 0.1 * all);  // those of the lit square, a tenth of the picture
+}
+
 TEST_F(ShadowRays, WithoutShadowedTargetsThereIsOne) {
   for (const render::Estimator estimator :
        {render::Estimator::ris, render::Estimator::basic, render::Estimator::pairwise})
