@@ -85,7 +85,8 @@ float find_first_step(const Image& image) {
     const bool is_seen = 255 * tonemap::srgb_encode(tonemap::filmic_curve(middle)) >= 1;
     (is_seen ? seen : dark) = middle;
   }
-  return seen / tonemap::exposure_scale(static_cast<float>(*ev100));
+  const float step = seen / tonemap::exposure_scale(static_cast<float>(*ev100));
+  return std::isfinite(step) ? step : 0;
 }
 
 glm::vec3 mean_light(const Image& image) {

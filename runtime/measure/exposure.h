@@ -25,7 +25,7 @@ float auto_exposure_ev100(const Image& image);
 
 /// Returns the grey, cd/m2, that shows as the first step above black of an 8-bit picture through
 /// the default curve, at the exposure that auto_exposure_ev100 meters without its bounds: 1.2 % of
-/// the luminance that is metered. 0 where no pixel can be metered.
+/// the luminance that is metered. 0 where no pixel can be metered, and beyond the range of floats.
 float find_first_step(const Image& image);
 
 /// Returns the mean light of the pixels that auto_exposure_ev100 meters, cd/m2 per channel, without

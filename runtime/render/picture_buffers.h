@@ -18,9 +18,9 @@ inline void fit(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes) {
 struct PictureBuffers {
   glm::uvec2 size{0};
   gpu::Buffer surfaces, spatial, accumulation;
-  gpu::Buffer lit_blocks;  // where frames sample lights (shaders/dark_blocks.glsl)
-  gpu::Buffer hits;     // where frames keep them
-  gpu::Buffer display;  // 8-bit sRGB, R in the low byte
+  gpu::Buffer lit_blocks;  // of WORKGROUP_SIZE^2 pixels each (shaders/dark_blocks.glsl)
+  gpu::Buffer hits;        // where frames keep them
+  gpu::Buffer display;     // 8-bit sRGB, R in the low byte
 
   std::size_t pixels() const { return std::size_t{size.x} * size.y; }
   std::size_t blocks() const {

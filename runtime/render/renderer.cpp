@@ -214,7 +214,10 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
   next_.effort = effort;
   size_ = scale_size(picture_size_, settings.sampling.resolution_scale * effort.resolution_scale);
   restart_if_changed();
-  if (!next_.has_history) next_.age = 0, next_.step_cd_m2 = 0;
+  if (!next_.has_history) {
+    next_.age = 0;
+    next_.step_cd_m2 = 0;
+  }
   passes_ = &library_.get(find_constants(settings, scene_));
 
   RenderSettings bounded = settings;

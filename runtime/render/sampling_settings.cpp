@@ -20,7 +20,7 @@ bool chooses_shares(const Settings& s) {
   return traits(s).samples && !traits(s).as_published;
 }
 
-// Only reservoirs that are reused or tested for shadow before they are.
+// A reservoir that is not reused needs one ray at most.
 bool may_play_roulette(const Settings& s) {
   return traits(s).reuses && !traits(s).as_published;
 }

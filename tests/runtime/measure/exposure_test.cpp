@@ -63,6 +63,7 @@ TEST(Exposure, TheFirstStepIsTheFirstCodeValueThatIsShown) {
     EXPECT_LT(code(exposed * 0.999f), 1.0f) << cd_m2;
   }
   EXPECT_EQ(find_first_step(grey(4, 4, 0)), 0.0f);
+  EXPECT_TRUE(std::isfinite(find_first_step(grey(4, 4, 3e38f))));
 }
 
 TEST(Exposure, TenTimesTheLightIsTenTimesLessExposure) {
