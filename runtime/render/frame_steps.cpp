@@ -72,6 +72,8 @@ void add_restir(std::vector<FrameStep>& steps, const FrameParts& frame,
     for (FrameStep& step : frame.cache.list_steps(frame.passes, frame.frame_address))
       steps.push_back(std::move(step));
   steps.push_back(step_over(frame, any, frame.passes.shade, "shade"));
+  if (find_indirect(settings) == INDIRECT_CACHE)
+    steps.push_back(frame.cache.path_step(frame.passes, frame.frame_address));
   if (half_rate) steps.push_back(step_over(frame, half, frame.passes.fill, "fill"));
   if (has_air(settings)) steps.push_back(step_of(frame, frame.passes.air, "air"));
 }

@@ -91,7 +91,10 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
       });
     }
     jobs.push_back([&] {
-      set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
+      set.shade =
+          constants[CONSTANT_INDIRECT] == INDIRECT_PATHS
+              ? make_trace({shade_paths_spirv, shade_paths_query_spirv, shade_paths_pipeline_spirv})
+              : make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
     });
     jobs.push_back([&] { set.fill = make(fill_spirv, over_pixels); });
     if (constants[CONSTANT_AIR] != 0)
@@ -102,8 +105,9 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
       jobs.push_back([&] { set.cache_evict = make(cache_evict_spirv, over_a_list); });
       jobs.push_back([&] { set.cache_mark = make(cache_mark_spirv, over_pixels); });
       jobs.push_back([&] {
-        set.cache_update =
-            make_trace({cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv});
+        set.cache_update = this->make_trace(
+            constants, {cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv},
+            over_a_list);
       });
     }
   }
