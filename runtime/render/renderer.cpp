@@ -131,7 +131,8 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   frame.reservoirs = reserve(reservoirs_, pixels * sizeof(gpu::Reservoir));
   frame.spatial = now.spatial.address();
   frame.previous_reservoirs = before.spatial.address();
-  frame.slices = choose_reference_slices(settings, size_, frame.scene.light_count);
+  frame.slices = choose_reference_slices(settings, size_, frame.scene.light_count,
+                                         device_.info().kind == "cpu");
   frame.radiance = reserve(radiance_, frame.slices * pixels * sizeof(gpu::Accumulation));
   frame.accumulation = now.accumulation.address();
   frame.previous_accumulation = before.accumulation.address();

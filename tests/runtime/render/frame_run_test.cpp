@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "runtime/measure/exposure.h"
+#include "runtime/render/frame_steps.h"
+#include "runtime/render/pass_constants.h"
 #include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
@@ -163,6 +165,21 @@ TEST_F(Slices, AQuickFrameFollowsOnePathOfEachCell) {
                few = count_rays(2, quick) - direct;
   EXPECT_GT(few, 0);
   EXPECT_NEAR(few / whole, 1 / 8.0, 0.02);
+}
+
+// A part of a step cannot be cut: on a CPU, which traces about a million rays a second, it is to be
+// over soon, however many lights there are.
+TEST_F(Slices, APartOfTheReferenceIsShortOnACpuHoweverManyLights) {
+  RenderSettings settings;
+  settings.sampling.estimator = Estimator::reference;
+  for (const std::uint32_t lights : {1'000u, 100'000u, 10'000'000u})
+    for (const glm::uvec2 size : {glm::uvec2{40, 30}, {160, 90}, {1280, 720}}) {
+      const std::uint32_t rays = WORKGROUP_SIZE * WORKGROUP_SIZE * REFERENCE_CHUNK *
+                                 choose_reference_slices(settings, size, lights, true);
+      EXPECT_LE(rays, 1u << 13) << size.x;
+    }
+  EXPECT_EQ(choose_reference_slices(settings, {160, 90}, 100'000, false), 32u);
+  EXPECT_EQ(choose_reference_slices(settings, {20, 28}, 300, true), 3u) << "one for each chunk";
 }
 
 TEST_F(Slices, ExposingAnewShowsTheSameMeanAsRenderingWithThatExposure) {
