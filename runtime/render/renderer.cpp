@@ -213,7 +213,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
   next_.effort = effort;
   size_ = scale_size(picture_size_, settings.sampling.resolution_scale * effort.resolution_scale);
   restart_if_changed();
-  passes_ = &library_.get(find_constants(settings, scene_));
+  passes_ = library_.get(find_constants(settings, scene_));
 
   RenderSettings bounded = settings;
   bounded.sampling.candidates = std::min(settings.sampling.candidates, effort.max_candidates);

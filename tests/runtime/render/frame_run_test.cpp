@@ -247,6 +247,27 @@ TEST_F(Slices, AScaledFrameHasFewerPixelsAndItsPictureAllOfThem) {
   EXPECT_EQ(scaled.download(false).width, 96u);
 }
 
+// Every choice of settings compiles a set of its own, and a window is open for long: sets that
+// nobody holds are let go of, the one that was asked for longest ago first.
+TEST_F(Slices, PassesThatWereLongNotAskedForAreLetGoOf) {
+  PassLibrary passes(test::test_device(), 2);
+  const auto constants_of = [&](Estimator estimator) {
+    RenderSettings settings = settings_;
+    settings.sampling.estimator = estimator;
+    return find_constants(settings, device_scene_);
+  };
+  const PassConstants one = constants_of(Estimator::ris), two = constants_of(Estimator::reference),
+                      three = constants_of(Estimator::pairwise);
+  const std::weak_ptr<const PassSet> first = passes.get(one), second = passes.get(two);
+  EXPECT_TRUE(passes.is_ready(one));
+  const std::shared_ptr<const PassSet> held = passes.get(three);
+  EXPECT_FALSE(first.expired()) << "it was asked for after the second";
+  EXPECT_TRUE(second.expired());
+  passes.get(two);
+  passes.get(one);
+  EXPECT_EQ(held.use_count(), 1) << "who holds a set keeps it";
+}
+
 TEST_F(Slices, PassesAreCompiledInTheBackground) {
   PassLibrary passes(test::test_device());
   Renderer renderer(test::test_device(), passes, device_scene_, 16, 16);
