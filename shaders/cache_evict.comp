@@ -10,7 +10,7 @@ const uint CELL_LIFE = 64u;  // frames
 void main() {
   if (INVOCATION.x >= push.count) return;
   const uint index = push.first + INVOCATION.x;
-  if (index == 0u) FRAME.seen_cells.at[0] = 0u;
+  if (index == 0u) FRAME.seen_cells.at[0] = FRAME.uncached.at[0] = 0u;
   const IrradianceCell cell = FRAME.cells.at[index];
   if (cell.key == 0u) return;
   FRAME.cells.at[index].owner = 0u;

@@ -186,6 +186,7 @@ struct Frame {
   BUFFER(PathVertices) path;  // of the reference
   BUFFER(IrradianceCells) cells;
   BUFFER(Words) seen_cells;  // their number, then the indices of the cells that this frame sees
+  BUFFER(Words) uncached;    // the number of pixels whose indirect light it lacks, then these
   BUFFER(Words) ray_count;   // shadow rays of the frame, where COUNT_RAYS is set
   // This frame's estimate. The reference's: sums over chunks of lights, one picture per slice.
   BUFFER(Accumulations) radiance;

@@ -95,3 +95,11 @@ bool cached_irradiance(Surface surface, out vec3 irradiance) {
   irradiance = weights > 0.0 ? sum / weights : vec3(0.0);
   return weights > 0.0;
 }
+
+// A pixel of the list of those whose indirect light the cache does not hold, or not all of it.
+const uint UNCACHED_FILM = 0x80000000u;  // only that of the water film is missing
+
+void list_uncached(uint index, bool only_film) {
+  FRAME.uncached.at[1u + atomicAdd(FRAME.uncached.at[0], 1u)] =
+      index | (only_film ? UNCACHED_FILM : 0u);
+}

@@ -39,6 +39,8 @@
 
 // A cell of the irradiance cache gets this many times the paths of others in its first frame.
 #define NEW_CELL_FACTOR 4u
+// The round of cache_update.comp for pixels whose indirect light no cell holds.
+#define UNCACHED_ROUND 0xFFFFFFFFu
 
 #define DENOISE_LEVELS 5
 

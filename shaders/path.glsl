@@ -49,9 +49,6 @@ Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {
   return s;
 }
 
-// Returns the share of directions that a receiver's water film samples, 0 where it has none.
-float film_share_of(Receiver r) { return HAS_GLOSS != 0u ? 0.5 * r.wetness : 0.0; }
-
 // Returns the light that a surface on a path emits by itself, cd/m^2 per channel. What belongs to a
 // light source is left out, as are the lenses of vehicles: their light is sampled instead.
 vec3 unsampled_emission(Surface surface, Hit hit) {

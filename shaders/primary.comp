@@ -31,7 +31,13 @@ void main() {
   }
   FRAME.surfaces.at[index] = surface;
   if (FRAME.keeps_hits != 0u) {
+    // Hits are those of pixels' centres: elsewhere within a pixel, outlines would tremble from
+    // frame to frame. The picture keeps its sub-pixels, and so its exposure.
+    bool is_hit = surface.depth > 0.0;
+    if (vec2(FRAME.jitter_x, FRAME.jitter_y) != vec2(0.5))
+      is_hit = first_surface(FRAME.camera.position, direction_within(pixel, vec2(0.5)),
+                             MASK_VISIBLE, pixel_spread(), hit).depth > 0.0;
     FRAME.hits.at[2u * index] = hit.triangle;
-    FRAME.hits.at[2u * index + 1u] = surface.depth > 0.0 ? hit.instance : NO_HIT;
+    FRAME.hits.at[2u * index + 1u] = is_hit ? hit.instance : NO_HIT;
   }
 }

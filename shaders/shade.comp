@@ -14,26 +14,29 @@
 #include "shaders/reservoir.glsl"
 #include "shaders/half_rate.glsl"
 #include "shaders/resampling.glsl"
+#ifdef FOLLOWS_PATHS
 #include "shaders/path.glsl"
+#endif
 #include "shaders/irradiance_cache.glsl"
 #include "shaders/accumulation.glsl"
 #include "shaders/layers.glsl"
 
-// Returns the light that a surface reflects after a bounce at least, cd/m^2 per channel.
-vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel) {
+// Returns the light that a surface reflects after a bounce at least, cd/m^2 per channel; of the
+// cache what it holds: cache_update.comp adds the rest. Compiled without paths where none is
+// followed: drivers take longer for them than for all else.
+vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel, uint index) {
+#ifdef FOLLOWS_PATHS
   seed_random(pixel, STREAM_INDIRECT);
-  vec3 known = vec3(0.0), irradiance;
-  float film_share = film_share_of(receiver);
-  if (INDIRECT == INDIRECT_CACHE && cached_irradiance(surface, irradiance)) {
-    known = receiver.reflectance * irradiance;
-    // The water film mirrors other things from each side, so no cell holds its light.
-    if (film_share <= 0.0) return known;
-    receiver.reflectance = vec3(0.0);
-    film_share = 1.0;
-  }
   const float choice = random_float();
   const vec2 u = vec2(random_float(), random_float());
-  return known + reflected_bounces(receiver, film_share, choice, u, WET_ALPHA, FRAME.bounces);
+  return reflected_bounces(receiver, film_share_of(receiver), choice, u, WET_ALPHA, FRAME.bounces);
+#else
+  vec3 irradiance;
+  const bool cached = cached_irradiance(surface, irradiance);
+  // The water film mirrors other things from each side, so no cell holds its light.
+  if (!cached || film_share_of(receiver) > 0.0) list_uncached(index, cached);
+  return cached ? receiver.reflectance * irradiance : vec3(0.0);
+#endif
 }
 
 void main() {
@@ -53,7 +56,7 @@ void main() {
       radiance += layers.sky;
     }
     if (INDIRECT != INDIRECT_NONE) {
-      layers.indirect = reflected_indirect(surface, receiver, pixel);
+      layers.indirect = reflected_indirect(surface, receiver, pixel, index);
       radiance += layers.indirect;
     }
     const Reservoir reservoir = FRAME.spatial.at[index];

@@ -35,6 +35,9 @@ const float WATER_F0 = 0.02;
 const float WET_ALPHA = 0.0625;  // the square of a roughness of 0.25
 const float WET_DIFFUSE = 0.6;
 
+// Returns the share of directions that a receiver's water film samples, 0 where it has none.
+float film_share_of(Receiver r) { return HAS_GLOSS != 0u ? 0.5 * r.wetness : 0.0; }
+
 // Returns the receiver at a surface that is seen from `viewer`.
 Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   Receiver r;

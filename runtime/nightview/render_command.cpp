@@ -243,7 +243,8 @@ void warn_of_lights(const RenderOptions& options, const scene::RenderScene& scen
 void render(RenderCommand& command) {
   RenderOptions& options = command.options;
   const bool measures = writes_figures(command);
-  options.to_be_looked_at = !measures && command.show == "picture";
+  options.to_be_looked_at =
+      !measures && (command.show == "picture" || find_device_view(command.show));
   options.resolve();
   options.settings.display.tone = measure::tone_curve_from_name(command.tone);
   options.settings.projection = render::find_projection(command.projection);

@@ -8,9 +8,10 @@
 namespace nightcity::render {
 namespace {
 
-// Invocations that fill the largest devices twice, and the most slices that the reference works at
-// together.
-constexpr std::size_t busy_invocations = std::size_t{1} << 19;
+// Invocations that fill the largest devices twice, those that a driver on a CPU needs by far, and
+// the most slices that the reference works at together. A part of a step is a work group of all
+// slices: with 32 of them and many lights, a CPU takes longer for it than a window may wait.
+constexpr std::size_t busy_invocations = std::size_t{1} << 19, busy_on_cpu = std::size_t{1} << 11;
 constexpr std::size_t max_slices = 32;
 
 constexpr std::uint32_t chunks_of(std::uint32_t lights) {
@@ -72,6 +73,8 @@ void add_restir(std::vector<FrameStep>& steps, const FrameParts& frame,
     for (FrameStep& step : frame.cache.list_steps(frame.passes, frame.frame_address))
       steps.push_back(std::move(step));
   steps.push_back(step_over(frame, any, frame.passes.shade, "shade"));
+  if (find_indirect(settings) == INDIRECT_CACHE)
+    steps.push_back(frame.cache.path_step(frame.passes, frame.frame_address));
   if (half_rate) steps.push_back(step_over(frame, half, frame.passes.fill, "fill"));
   if (has_air(settings)) steps.push_back(step_of(frame, frame.passes.air, "air"));
 }
@@ -116,12 +119,13 @@ std::uint32_t reference_paths(std::uint32_t lights) {
 }
 
 std::uint32_t choose_reference_slices(const RenderSettings& settings, glm::uvec2 size,
-                                      std::uint32_t lights) {
+                                      std::uint32_t lights, bool is_cpu) {
   if (traits_of(settings.sampling.estimator).samples || settings.sampling.layers) return 1;
   const std::size_t pixels = std::size_t{size.x} * size.y;
   const std::size_t chunks = chunks_of(lights);
   return static_cast<std::uint32_t>(
-      std::clamp(std::min(busy_invocations / pixels, chunks), std::size_t{1}, max_slices));
+      std::clamp(std::min((is_cpu ? busy_on_cpu : busy_invocations) / pixels, chunks),
+                 std::size_t{1}, max_slices));
 }
 
 std::vector<FrameStep> list_steps(const FrameParts& frame, const RenderSettings& settings) {

@@ -31,9 +31,10 @@ struct FrameParts {
 std::vector<FrameStep> list_steps(const FrameParts& frame, const RenderSettings& settings);
 
 /// Returns how many slices the reference works at side by side: a picture of few pixels leaves most
-/// of a GPU idle, so chunks of lights share it. Layers exist once, so they allow one slice.
+/// of a GPU idle, so chunks of lights share it. A driver on a CPU is soon busy, and a part of a step
+/// then stays short enough for a window. Layers exist once, so they allow one slice.
 std::uint32_t choose_reference_slices(const RenderSettings& settings, glm::uvec2 size,
-                                      std::uint32_t lights);
+                                      std::uint32_t lights, bool is_cpu);
 
 /// Returns the number of paths that the reference follows from a pixel in a frame:
 /// shaders/limits.h.

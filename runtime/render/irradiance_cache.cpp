@@ -19,6 +19,17 @@ std::uint32_t cells_for(std::size_t pixels) {
       std::bit_ceil(std::clamp(pixels, std::size_t{1} << 14, std::size_t{1} << 24)));
 }
 
+// Returns how many invocations share a list of cells or pixels of a frame of so many pixels: whole
+// groups of them. Such lists are much shorter than the picture. A driver that runs shaders on a CPU
+// works through all of one even where a group has nothing to do, so there are fewer of them than
+// entries: still enough groups to cut into slices. Other devices mostly have one for each entry, up
+// to what fills the largest twice.
+std::uint32_t count_takers(std::size_t pixels, bool is_cpu) {
+  const std::size_t wanted = is_cpu ? std::min(pixels / 64, std::size_t{1} << 13)
+                                    : std::min(pixels / 4, std::size_t{1} << 19);
+  return static_cast<std::uint32_t>((wanted / WORKGROUP_ROW + 1) * WORKGROUP_ROW);
+}
+
 // Returns the angle of a pixel in the middle of the picture, rad.
 float pixel_angle(const gpu::Frame& frame) {
   constexpr auto half_turn = std::numbers::pi_v<float>;
@@ -45,7 +56,8 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
     forget_ = true;
   }
   const std::size_t seen_bytes = (1 + pixels) * sizeof(std::uint32_t);
-  if (seen_.bytes() < seen_bytes) seen_ = gpu::Buffer(device_, seen_bytes);
+  for (gpu::Buffer* list : {&seen_, &uncached_})
+    if (list->bytes() < seen_bytes) *list = gpu::Buffer(device_, seen_bytes);
   forget_ = forget_ || moved_s >= memory_s;
   if (forget_) cells_.fill_zero();
   // New cells come in numbers when nothing is known or the camera moves.
@@ -55,6 +67,7 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
   forget_ = false;
   frame.cells = cells_.address();
   frame.seen_cells = seen_.address();
+  frame.uncached = uncached_.address();
   frame.cell_mask = count_ - 1;
   frame.cell_paths = settings.paths;
   frame.cell_angle = settings.cell_px * pixel_angle(frame);
@@ -74,13 +87,24 @@ std::vector<FrameStep> IrradianceCache::list_steps(const PassSet& passes,
                      passes.cache_mark.dispatch(commands, &all, width_, height_);
                    }});
   for (std::uint32_t round = 0; round <= rounds_; ++round)
-    steps.push_back({"cache paths", passes.cache_update.count_groups(width_, height_),
-                     [this, &passes, push = gpu::Push{frame_address, round, 0}](
-                         VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) {
-                       passes.cache_update.dispatch_groups(commands, &push, width_, height_, first,
-                                                           count);
-                     }});
+    steps.push_back(list_step("cache paths", passes, frame_address, round));
   return steps;
+}
+
+FrameStep IrradianceCache::path_step(const PassSet& passes, std::uint64_t frame_address) const {
+  return list_step("uncached paths", passes, frame_address, UNCACHED_ROUND);
+}
+
+FrameStep IrradianceCache::list_step(const char* name, const PassSet& passes,
+                                     std::uint64_t frame_address, std::uint32_t round) const {
+  const TracePass& pass = passes.cache_update;
+  const std::uint32_t takers =
+      count_takers(std::size_t{width_} * height_, device_.info().kind == "cpu");
+  return {name, pass.count_groups(takers, 1),
+          [&pass, takers, push = gpu::Push{frame_address, round, takers}](
+              VkCommandBuffer commands, std::uint32_t part, std::uint32_t parts) {
+            pass.dispatch_groups(commands, &push, takers, 1, part, parts);
+          }};
 }
 
 }  // namespace nightcity::render

@@ -28,9 +28,15 @@ class IrradianceCache {
   /// outlive them.
   std::vector<FrameStep> list_steps(const PassSet& passes, std::uint64_t frame_address) const;
 
+  /// Returns the pass after shading that adds what the cache does not hold.
+  FrameStep path_step(const PassSet& passes, std::uint64_t frame_address) const;
+
  private:
+  FrameStep list_step(const char* name, const PassSet& passes, std::uint64_t frame_address,
+                      std::uint32_t round) const;
+
   gpu::Device& device_;
-  gpu::Buffer cells_, seen_;
+  gpu::Buffer cells_, seen_, uncached_;
   std::uint32_t count_ = 0, width_ = 0, height_ = 0;
   bool forget_ = false;
   std::uint32_t rounds_ = 0;  // of paths in this frame

@@ -1,8 +1,10 @@
 #include "runtime/render/pass_library.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "formats/parallel.h"
@@ -16,18 +18,33 @@ constexpr gpu::Workgroup over_a_list{WORKGROUP_ROW, 1};
 
 }  // namespace
 
-const PassSet& PassLibrary::get(const PassConstants& constants) {
+std::shared_ptr<const PassSet> PassLibrary::find(const PassConstants& constants) {
   const auto known = sets_.find(constants);
-  if (known != sets_.end()) return known->second;
-  if (set_.valid() && next_ == constants) return sets_.emplace(constants, set_.get()).first->second;
-  return sets_.emplace(constants, make_set(constants)).first->second;
+  if (known == sets_.end()) return nullptr;
+  known->second.asked = ++asked_;
+  return known->second.set;
+}
+
+std::shared_ptr<const PassSet> PassLibrary::keep(const PassConstants& constants, PassSet set) {
+  const auto shared = std::make_shared<const PassSet>(std::move(set));
+  sets_[constants] = {shared, ++asked_};
+  while (sets_.size() > std::max(kept_, std::size_t{1}))
+    sets_.erase(std::min_element(
+        sets_.begin(), sets_.end(),
+        [](const auto& one, const auto& other) { return one.second.asked < other.second.asked; }));
+  return shared;
+}
+
+std::shared_ptr<const PassSet> PassLibrary::get(const PassConstants& constants) {
+  if (auto known = find(constants)) return known;
+  return keep(constants, set_.valid() && next_ == constants ? set_.get() : make_set(constants));
 }
 
 bool PassLibrary::is_ready(const PassConstants& constants) {
-  if (sets_.count(constants) != 0) return true;
+  if (find(constants)) return true;
   const bool compiled =
       set_.valid() && set_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-  if (compiled) sets_.emplace(next_, set_.get());
+  if (compiled) keep(next_, set_.get());
   if (compiled && next_ == constants) return true;
   if (!set_.valid()) {
     next_ = constants;
@@ -91,7 +108,10 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
       });
     }
     jobs.push_back([&] {
-      set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
+      set.shade =
+          constants[CONSTANT_INDIRECT] == INDIRECT_PATHS
+              ? make_trace({shade_paths_spirv, shade_paths_query_spirv, shade_paths_pipeline_spirv})
+              : make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
     });
     jobs.push_back([&] { set.fill = make(fill_spirv, over_pixels); });
     if (constants[CONSTANT_AIR] != 0)
@@ -102,8 +122,9 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
       jobs.push_back([&] { set.cache_evict = make(cache_evict_spirv, over_a_list); });
       jobs.push_back([&] { set.cache_mark = make(cache_mark_spirv, over_pixels); });
       jobs.push_back([&] {
-        set.cache_update =
-            make_trace({cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv});
+        set.cache_update = this->make_trace(
+            constants, {cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv},
+            over_a_list);
       });
     }
   }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <future>
 #include <map>
+#include <memory>
 #include <span>
 
 #include "runtime/gpu/compute_pass.h"
@@ -41,12 +43,13 @@ struct DisplayPasses {
 
 class PassLibrary {
  public:
-  /// The device must outlive the library.
-  explicit PassLibrary(gpu::Device& device) : device_(device) {}
+  /// The device must outlive the library. `kept`: so many sets of passes, those that were asked for
+  /// last, stay compiled although nobody holds them: on a CPU driver each takes some 70 MB.
+  explicit PassLibrary(gpu::Device& device, std::size_t kept = 8) : device_(device), kept_(kept) {}
 
-  /// Returns the passes for these constants, compiled on first use. The result stays valid as long
-  /// as the library.
-  const PassSet& get(const PassConstants& constants);
+  /// Returns the passes for these constants, compiled where they are not kept. Who uses the result
+  /// on the device holds it until the device is done.
+  std::shared_ptr<const PassSet> get(const PassConstants& constants);
   /// Returns whether these passes are compiled. If not, starts to compile them in the background,
   /// one set at a time.
   bool is_ready(const PassConstants& constants);
@@ -59,12 +62,21 @@ class PassLibrary {
   struct TraceShader {
     std::span<const std::uint32_t> compute, query, pipeline;
   };
+  struct Kept {
+    std::shared_ptr<const PassSet> set;
+    std::uint64_t asked = 0;  // when, in calls
+  };
+  // Returns the set that is kept for these constants, null without one.
+  std::shared_ptr<const PassSet> find(const PassConstants& constants);
+  std::shared_ptr<const PassSet> keep(const PassConstants& constants, PassSet set);
   PassSet make_set(const PassConstants& constants);
   TracePass make_trace(const PassConstants& constants, const TraceShader& shader,
                        gpu::Workgroup workgroup);
 
   gpu::Device& device_;
-  std::map<PassConstants, PassSet> sets_;
+  std::size_t kept_;
+  std::map<PassConstants, Kept> sets_;
+  std::uint64_t asked_ = 0;  // calls
   std::map<PassConstants, TracePass> upward_;
   std::map<PassConstants, DisplayPasses> display_;
   PassConstants next_{};      // compiled in the background,

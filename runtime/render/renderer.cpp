@@ -133,7 +133,8 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   frame.previous_reservoirs = before.spatial.address();
   frame.lit_blocks = now.lit_blocks.address();
   frame.previous_lit_blocks = before.lit_blocks.address();
-  frame.slices = choose_reference_slices(settings, size_, frame.scene.light_count);
+  frame.slices = choose_reference_slices(settings, size_, frame.scene.light_count,
+                                         device_.info().kind == "cpu");
   frame.radiance = reserve(radiance_, frame.slices * pixels * sizeof(gpu::Accumulation));
   frame.accumulation = now.accumulation.address();
   frame.previous_accumulation = before.accumulation.address();
@@ -218,7 +219,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
     next_.age = 0;
     next_.step_cd_m2 = 0;
   }
-  passes_ = &library_.get(find_constants(settings, scene_));
+  passes_ = library_.get(find_constants(settings, scene_));
 
   RenderSettings bounded = settings;
   bounded.sampling.candidates = std::min(settings.sampling.candidates, effort.max_candidates);

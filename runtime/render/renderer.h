@@ -176,9 +176,9 @@ class Renderer {
   gpu::Buffer reservoirs_, radiance_;
   // Allocated when first needed.
   gpu::Buffer layers_, denoise_[2], denoised_, pair_partners_, pair_targets_, path_, ray_count_;
-  const PassSet* passes_ = nullptr;  // of the begun frame, then of the last complete one
-  glm::uvec2 picture_size_;          // that is asked for
-  glm::uvec2 size_;                  // of the next frame
+  std::shared_ptr<const PassSet> passes_;  // of the begun frame, then of the last complete one
+  glm::uvec2 picture_size_;                // that is asked for
+  glm::uvec2 size_;                        // of the next frame
   State done_, next_;
   std::uint32_t parity_ = 0;
   std::uint32_t frame_number_ = 0;  // never repeats, so that frames draw different random numbers

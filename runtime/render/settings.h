@@ -64,7 +64,7 @@ struct SamplingSettings {
   bool half_rate = false;
   bool jitter = true;   // sub-pixel offsets from frame to frame: anti-aliasing
   bool layers = false;  // keeps the light of each kind of source apart, too
-  bool hits = false;    // keeps the triangle and the instance that each pixel shows, too
+  bool hits = false;    // keeps the triangle and the instance at each pixel's centre, too
   std::uint32_t seed = 0;
 
   bool operator==(const SamplingSettings&) const = default;
@@ -244,12 +244,11 @@ constexpr bool needs_hits(std::uint32_t view) {
   return view == VIEW_WIREFRAME || view == VIEW_TILES;
 }
 
-/// Makes frames keep what a view (VIEW_*) shows. Hits are those of pixels' centres: at other places
-/// within a pixel, outlines would tremble from frame to frame.
+/// Makes frames keep what a view (VIEW_*) shows. What they show otherwise stays the picture, pixel
+/// by pixel, so that it is metered as the picture is.
 inline void keep_what_view_needs(std::uint32_t view, SamplingSettings& sampling) {
   sampling.layers |= needs_layers(view);
   sampling.hits |= needs_hits(view);
-  sampling.jitter &= !needs_hits(view);
 }
 
 /// Returns the settings that the paper published: uniform candidates, every M in full, neither

@@ -61,9 +61,9 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
   gpu::Buffer frame_buffer(device, sizeof frame, gpu::Memory::host);
   frame_buffer.upload(&frame, sizeof frame);
   if (scene.has_traffic()) {
-    const PassSet& passes = library.get(constants);
+    const std::shared_ptr<const PassSet> passes = library.get(constants);
     device.run([&](VkCommandBuffer commands) {
-      for (const FrameStep& step : vehicle_passes.list_steps(passes, frame_buffer.address())) {
+      for (const FrameStep& step : vehicle_passes.list_steps(*passes, frame_buffer.address())) {
         step.record(commands, 0, step.parts);
         gpu::full_barrier(commands);
       }

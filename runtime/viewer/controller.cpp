@@ -64,6 +64,7 @@ bool Controller::finish_opening() {
   }
   workbench_.hold_beside(choose_beside(session_.state));
   const City& city = workbench_.city();
+  spdlog::debug("{} is opened", city.path);
   std::filesystem::path bookmarks = city.path;
   place_text_.clear();
   session_.open(city.pose, bookmarks.replace_extension(".cameras.json"), now_s_);

@@ -1,6 +1,10 @@
 #include "runtime/viewer/live_picture.h"
 
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
+#include <string>
 
 #include "runtime/scene/markers.h"
 #include "runtime/viewer/camera_motion.h"
@@ -52,6 +56,15 @@ render::DisplaySettings left_by_a_frame(const render::DisplaySettings& display) 
   left.view_lowest = display.view_lowest;
   left.view_highest = display.view_highest;
   return left;
+}
+
+void log_frame(const render::Renderer& renderer, const FramePlan& plan) {
+  if (!spdlog::should_log(spdlog::level::debug)) return;
+  std::string passes;
+  for (const gpu::Timer::Span& pass : renderer.timings())
+    passes += fmt::format(", {} {:.1f}", pass.name, pass.ms);
+  spdlog::debug("{}frame of {} x {}: {:.1f} ms{}", plan.quick ? "quick " : "", renderer.width(),
+                renderer.height(), 1000 * renderer.frame_s(), passes);
 }
 
 double pixels_of(glm::uvec2 size) {
@@ -133,6 +146,7 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
 
 void LivePicture::complete(const View& view) {
   ++completed_;
+  log_frame(renderer_, plan_);
   if (is_governed_) {
     const double ms = gpu::sum_ms(renderer_.timings());
     pace_.observe(ms > 0 ? ms : 1000 * renderer_.frame_s());

@@ -46,9 +46,10 @@ FramePlan Refinement::plan(double now_s, double pixels, bool runs) const {
   if (runs || !shown_ || is_moving(now_s)) return moving;
   const std::uint32_t finest = fixed_ != 0 ? fixed_ : 1;
   if (shown_->divisor <= finest) return {finest, false};
-  // A quarter of the remaining way at a time, so that each step shows something within a few times
-  // the time of the one before.
-  const FramePlan next{std::max(finest, shown_->divisor / 2), true};
+  // From the coarsest picture there is one step before every pixel has its own: two would take a
+  // fourth of the last step's time more.
+  constexpr std::uint32_t between = 4;
+  const FramePlan next{std::max(finest, shown_->divisor > between ? between : 1), true};
   const FramePlan full{next.divisor, false};
   const std::optional<double> seconds = frame_s(full, pixels);
   return seconds && *seconds <= moving_frame_s ? full : next;

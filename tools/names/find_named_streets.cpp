@@ -91,11 +91,23 @@ glm::dvec2 find_inner_point(const Line& ring) {
   return centroid;
 }
 
-// Returns whether a tag of a street is another name of it.
+// Returns whether text is "en", "zh-Hant" or "sr-Latn": a code of ISO 639 and what narrows it down.
+bool is_language(std::string_view text) {
+  const std::size_t letters = std::min(text.find_first_of("-_"), text.size());
+  return (letters == 2 || letters == 3) &&
+         std::all_of(text.begin(), text.begin() + std::ptrdiff_t(letters),
+                     [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+// Returns whether a tag of a street is another name of it. Keys such as name:etymology:wikidata and
+// name:pronunciation begin alike and hold something else.
 bool is_other_name(const std::string& key) {
   constexpr std::array keys{"alt_name", "int_name", "loc_name", "nat_name",  "official_name",
                             "old_name", "ref",      "reg_name", "short_name"};
-  return std::find(keys.begin(), keys.end(), key) != keys.end() || key.starts_with("name:");
+  constexpr std::string_view in_language = "name:";
+  return std::find(keys.begin(), keys.end(), key) != keys.end() ||
+         (key.starts_with(in_language) &&
+          is_language(std::string_view(key).substr(in_language.size())));
 }
 
 class Finder {

@@ -36,8 +36,8 @@ struct NamedThings {
 /// Returns the centrelines, within a metre, of what has a name and lies within `bounds` (E, N, m):
 /// of ways that people use and that are not below the ground. A square is a point inside it. Does
 /// not depend on the order of `things`. Other names are those of OSM wiki, "Names": alt_name, int_name,
-/// loc_name, nat_name, official_name, old_name, reg_name and short_name, name in other languages,
-/// and the road's number, ref.
+/// loc_name, nat_name, official_name, old_name, reg_name and short_name, name:LANGUAGE, and the
+/// road's number, ref. Of keys that begin with "name:", no others: name:etymology:wikidata is none.
 NamedStreets find_named_streets(const NamedThings& things, const place::LonLatToFrame& to_frame,
                                 const ground_cover::Box& bounds, const Georeference& georeference);
 

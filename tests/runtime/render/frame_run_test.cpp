@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "runtime/measure/exposure.h"
+#include "runtime/render/frame_steps.h"
+#include "runtime/render/pass_constants.h"
 #include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
@@ -165,6 +167,21 @@ TEST_F(Slices, AQuickFrameFollowsOnePathOfEachCell) {
   EXPECT_NEAR(few / whole, 1 / 8.0, 0.02);
 }
 
+// A part of a step cannot be cut: on a CPU, which traces about a million rays a second, it is to be
+// over soon, however many lights there are.
+TEST_F(Slices, APartOfTheReferenceIsShortOnACpuHoweverManyLights) {
+  RenderSettings settings;
+  settings.sampling.estimator = Estimator::reference;
+  for (const std::uint32_t lights : {1'000u, 100'000u, 10'000'000u})
+    for (const glm::uvec2 size : {glm::uvec2{40, 30}, {160, 90}, {1280, 720}}) {
+      const std::uint32_t rays = WORKGROUP_SIZE * WORKGROUP_SIZE * REFERENCE_CHUNK *
+                                 choose_reference_slices(settings, size, lights, true);
+      EXPECT_LE(rays, 1u << 13) << size.x;
+    }
+  EXPECT_EQ(choose_reference_slices(settings, {160, 90}, 100'000, false), 32u);
+  EXPECT_EQ(choose_reference_slices(settings, {20, 28}, 300, true), 3u) << "one for each chunk";
+}
+
 TEST_F(Slices, ExposingAnewShowsTheSameMeanAsRenderingWithThatExposure) {
   for (const bool denoise : {false, true}) {
     settings_.display.denoise = denoise;
@@ -228,6 +245,27 @@ TEST_F(Slices, AScaledFrameHasFewerPixelsAndItsPictureAllOfThem) {
   EXPECT_EQ(scaled.width(), 24u);
   EXPECT_EQ(scaled.frames(), 1u);
   EXPECT_EQ(scaled.download(false).width, 96u);
+}
+
+// Every choice of settings compiles a set of its own, and a window is open for long: sets that
+// nobody holds are let go of, the one that was asked for longest ago first.
+TEST_F(Slices, PassesThatWereLongNotAskedForAreLetGoOf) {
+  PassLibrary passes(test::test_device(), 2);
+  const auto constants_of = [&](Estimator estimator) {
+    RenderSettings settings = settings_;
+    settings.sampling.estimator = estimator;
+    return find_constants(settings, device_scene_);
+  };
+  const PassConstants one = constants_of(Estimator::ris), two = constants_of(Estimator::reference),
+                      three = constants_of(Estimator::pairwise);
+  const std::weak_ptr<const PassSet> first = passes.get(one), second = passes.get(two);
+  EXPECT_TRUE(passes.is_ready(one));
+  const std::shared_ptr<const PassSet> held = passes.get(three);
+  EXPECT_FALSE(first.expired()) << "it was asked for after the second";
+  EXPECT_TRUE(second.expired());
+  passes.get(two);
+  passes.get(one);
+  EXPECT_EQ(held.use_count(), 1) << "who holds a set keeps it";
 }
 
 TEST_F(Slices, PassesAreCompiledInTheBackground) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "runtime/measure/exposure.h"
 #include "runtime/measure/false_colour.h"
 #include "runtime/scene/trace_ray.h"
 #include "support/gpu.h"
@@ -81,6 +82,26 @@ TEST_F(Views, WithoutLayersHitsOrReferenceWhatNeedsThemIsThePicture) {
   EXPECT_NE(show(VIEW_LUMINANCE, 0.01, 100), show(VIEW_PICTURE, 1, 2));
 }
 
+// At the edges of the box, sub-pixels matter: frames that keep what a view shows have the
+// same mean, to the last bit, and so the same exposure.
+TEST_F(Views, AreMeteredAsThePicture) {
+  const auto mean_for = [&](std::uint32_t view) {
+    RenderSettings settings;
+    keep_what_view_needs(view, settings.sampling);
+    settings.sampling.layers = false;  // these compile other shaders, which round differently
+    Renderer fresh(test::test_device(), test::test_passes(), on_device, width, height);
+    for (int i = 0; i < 4; ++i)
+      fresh.render_frame({{0, 12, 14}, {0, 1, 0}, {0, 1, 0}, 60}, settings);
+    return fresh.sample_mean(std::size_t{width} * height);
+  };
+  const measure::Image picture = mean_for(VIEW_PICTURE);
+  for (const std::uint32_t view : {VIEW_WIREFRAME, VIEW_TILES, VIEW_OBJECTS, VIEW_DIFFERENCE}) {
+    const measure::Image other = mean_for(view);
+    EXPECT_EQ(other.rgb, picture.rgb) << view;
+    EXPECT_EQ(measure::auto_exposure_ev100(other), measure::auto_exposure_ev100(picture)) << view;
+  }
+}
+
 std::array<int, 3> bytes_of(std::uint32_t word) {
   return {int(word & 255), int(word >> 8 & 255), int(word >> 16 & 255)};
 }
@@ -136,7 +157,7 @@ TEST(TilesView, HasAColourForEachInstance) {
   keep_what_view_needs(VIEW_TILES, settings.sampling);
   DeviceScene on_device(test::test_device(), scene);
   Renderer renderer(test::test_device(), test::test_passes(), on_device, width, height);
-  renderer.render_frame(pose, settings);
+  for (int i = 0; i < 3; ++i) renderer.render_frame(pose, settings);  // at other sub-pixels
   DisplaySettings display;
   display.view = VIEW_TILES;
   renderer.expose(display);

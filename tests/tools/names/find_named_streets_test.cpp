@@ -57,16 +57,21 @@ TEST(NamedStreets, OtherNamesAreThoseOfTheTagsForNames) {
            {{"name:en", "Karl Marx Avenue"},
             {"alt_name", "Karl-Marx-Allee"},
             {"name:ru", "\x1b[31m"},
+            {"name:sr-Latn", "Aleja Karla Marksa"},
+            {"name:etymology:wikidata", "Q9061"},
+            {"name:etymology:wikipedia", "de:Karl Marx"},
+            {"name:pronunciation", "karl"},
             {"surface", "asphalt"},
             {"ref", "B 1"}}),
        way({{0, 500}, {50, 500}}, "Plain")},
       {},
       {}}.find();
   ASSERT_EQ(found.streets.size(), 2u);
-  EXPECT_EQ(found.streets[0].also, (std::vector<std::string>{"B 1", "Große Frankfurter Straße",
-                                                             "Karl Marx Avenue", "Stalinallee"}));
+  EXPECT_EQ(found.streets[0].also,
+            (std::vector<std::string>{"Aleja Karla Marksa", "B 1", "Große Frankfurter Straße",
+                                      "Karl Marx Avenue", "Stalinallee"}));
   EXPECT_TRUE(found.streets[1].also.empty());
-  EXPECT_EQ(found.other_names, 4u);
+  EXPECT_EQ(found.other_names, 5u);
 }
 
 TEST(NamedStreets, OfOneNameThatLieApartAreSeveral) {
