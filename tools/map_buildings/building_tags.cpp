@@ -74,8 +74,16 @@ RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
       {"flat", RoofShape::flat},
       {"gabled", RoofShape::gabled},
       {"pitched", RoofShape::gabled},
+      {"gambrel", RoofShape::gambrel},
+      {"round", RoofShape::round},
+      {"saltbox", RoofShape::saltbox},
       {"hipped", RoofShape::hipped},
+      {"half_hipped", RoofShape::half_hipped},
+      {"mansard", RoofShape::mansard},
       {"pyramidal", RoofShape::pyramidal},
+      {"cone", RoofShape::pyramidal},
+      {"dome", RoofShape::dome},
+      {"onion", RoofShape::onion},
       {"skillion", RoofShape::skillion}};
   const std::string text = find_tag(tags, "roof:shape");
   const auto known = table.find(text);
@@ -124,7 +132,8 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
                      .value_or(storey_m * min_level.value_or(0));
   const auto height = find_length(tags, {"height", "building:height"}, notes);
   sizes.roof = find_shape(tags, notes);
-  sizes.across = find_tag(tags, "roof:orientation") == "across";
+  if (const std::string orientation = find_tag(tags, "roof:orientation"); !orientation.empty())
+    sizes.across = orientation == "across";
   sizes.direction_degrees = find_direction(tags, notes);
   if (levels && *levels >= 1) sizes.storeys = static_cast<int>(*levels);
 
@@ -133,6 +142,7 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   if (sizes.roof != RoofShape::flat) {
     const auto said = find_length(tags, {"roof:height", "building:roof:height"}, notes);
     roof_is_said = said.has_value();
+    sizes.rise_is_said = said || roof_levels;
     if (!said && !roof_levels) sizes.slope_degrees = find_slope(tags, notes);
     roof_m = said.value_or(roof_levels ? storey_m * std::max(*roof_levels, 0.5) : storey_m);
   }

@@ -132,7 +132,12 @@ TEST(MapBuildings, HeightsComeFromTagsInTheirOrder) {
   // Roofs: levels of the roof stand on those of the building; "height" reaches the roof's top.
   expect_near(volume_of("building=yes,building:levels=2,roof:shape=gabled,roof:height=4"), 8);
   expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:levels=1"), 8.5);
-  expect_near(volume_of("building=yes,height=10,roof:shape=dome"), 10);
+  expect_near(volume_of("building=yes,height=10,roof:shape=crosspitched"), 10);
+  // Half of 6 m wide, and two thirds of that in the mean.
+  expect_near(volume_of("building=yes,height=10,roof:shape=dome"), 7 + 2);
+  // The ridge runs across the way that a gable falls.
+  expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:direction=E,roof:angle=45"),
+              5 + 2.5);
   EXPECT_EQ(volume_of("building=no,height=10"), 0);
   EXPECT_EQ(volume_of("building=yes,location=underground"), 0);
 }
@@ -306,13 +311,13 @@ TEST(MapBuildings, AnOutlineCutIntoTaggedWaysIsOneBuilding) {
 TEST(MapBuildings, WhatIsAssumedOrNotShownIsCounted) {
   Map map;
   map.add_rectangle(0, 0, 10, 6, "building=yes");
-  map.add_rectangle(20, 0, 10, 6, "building=yes,height=9,roof:shape=onion");
+  map.add_rectangle(20, 0, 10, 6, "building=yes,height=9,roof:shape=crosspitched");
   map.add_rectangle(40, 0, 10, 6, "building=yes,height=3,min_height=5");
   map.add_rectangle(60, 0, 10, 6, "building=construction,height=3");
   const Read result = read(map);
   EXPECT_EQ(result.objects.size(), 3u);
   EXPECT_EQ(result.report.assumed.at("height of a building that the map does not say"), 1u);
-  EXPECT_EQ(result.report.skipped.at("roof:shape=onion, shown flat"), 1u);
+  EXPECT_EQ(result.report.skipped.at("roof:shape=crosspitched, shown flat"), 1u);
   EXPECT_EQ(result.report.skipped.at("building whose min_height is not below its height"), 1u);
   EXPECT_EQ(result.report.skipped.at("building below the ground, not built or gone"), 1u);
 }
