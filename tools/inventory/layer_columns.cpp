@@ -60,6 +60,14 @@ std::string_view find_unit(std::string_view property, std::string_view heading) 
   return {};
 }
 
+// "123,45" in one cell of a table is a number, where a tag of the map would list two bearings.
+void use_decimal_point(std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.size() - comma > 3 || comma == 0) return;
+  if (!is_number(text.substr(comma + 1)) || !is_number(text.substr(0, comma))) return;
+  text[comma] = '.';
+}
+
 }  // namespace
 
 std::string list_columns(const OGRLayer& layer) {
@@ -97,6 +105,7 @@ osm::OsmTags LayerColumns::read(const OGRFeature& row) const {
     if (text.empty()) continue;
     ++used_[column.number];
     if (!column.unit.empty() && is_number(text)) text += " " + std::string(column.unit);
+    if (column.property->name == "direction") use_decimal_point(text);
     tags.emplace(column.property->tag, std::move(text));
   }
   return tags;

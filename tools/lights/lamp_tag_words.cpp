@@ -136,14 +136,6 @@ constexpr Words<double, 14> colour_temperatures = {{{"warm_white", 2850},
                                                     {"day_light", 6500},
                                                     {"daylight", 6500}}};
 
-constexpr Words<double, 24> compass_points = {
-    {{"n", 0},           {"nne", 22.5},       {"ne", 45},          {"ene", 67.5},
-     {"e", 90},          {"ese", 112.5},      {"se", 135},         {"sse", 157.5},
-     {"s", 180},         {"ssw", 202.5},      {"sw", 225},         {"wsw", 247.5},
-     {"w", 270},         {"wnw", 292.5},      {"nw", 315},         {"nnw", 337.5},
-     {"north", 0},       {"east", 90},        {"south", 180},      {"west", 270},
-     {"north_east", 45}, {"south_east", 135}, {"south_west", 225}, {"north_west", 315}}};
-
 }  // namespace
 
 std::optional<LampMount> find_lamp_mount(string_view word) {
@@ -156,10 +148,6 @@ std::optional<LampType> find_lamp_type(string_view word) {
 
 std::optional<double> find_cct_k(string_view word) {
   return look_up(word, colour_temperatures);
-}
-
-std::optional<double> find_bearing_degrees(string_view word) {
-  return look_up(word, compass_points);
 }
 
 }  // namespace nightcity::lights

@@ -16,7 +16,5 @@ std::optional<LampMount> find_lamp_mount(std::string_view word);
 std::optional<LampType> find_lamp_type(std::string_view word);
 /// Returns the colour temperature of a market name ("warm_white") in kelvin.
 std::optional<double> find_cct_k(std::string_view word);
-/// Returns the bearing of a compass point ("nne", "south_west") in degrees clockwise from north.
-std::optional<double> find_bearing_degrees(std::string_view word);
 
 }  // namespace nightcity::lights

@@ -8,6 +8,7 @@
 #include "tools/lights/lamp_state.h"
 #include "tools/lights/lamp_tag_words.h"
 #include "tools/lights/lit_tag.h"
+#include "tools/osm/bearings.h"
 #include "tools/osm/colour_words.h"
 #include "tools/osm/tag_values.h"
 #include "tools/today.h"
@@ -158,25 +159,28 @@ class LampTagReader {
     return lamp_.colour.has_value();
   }
 
-  /// Directions, tilt and the number of luminaires.
+  /// Directions, tilt and the number of luminaires: at least one for each direction.
   void read_aim() {
+    constexpr std::size_t max_count = 12;
     for (const char* key : {"light:direction", "direction"}) {
       const std::string* text = find(key);
       if (!text || !lamp_.directions_degrees.empty()) continue;
-      for (const string_view part : osm::split_list(*text)) {
-        if (const auto degrees = parse_direction_degrees(part))
-          lamp_.directions_degrees.push_back(*degrees);
-        else
-          count_unread(key, part);
+      osm::Bearings bearings = osm::parse_bearings(*text);
+      for (const std::string& part : bearings.unread) count_unread(key, part);
+      if (bearings.degrees.size() > max_count) {
+        count_unread(key, *text);
+        bearings.degrees.clear();
       }
+      lamp_.directions_degrees = std::move(bearings.degrees);
     }
     lamp_.tilt_degrees = first_of({"light:tilt"}, between(-90, 90, number_in({"\xc2\xb0", "deg"})));
     if (lamp_.tilt_degrees)
       *lamp_.tilt_degrees += 90;  // OSM counts from the horizontal: -90 is straight down
-    const auto count = first_of({"light:count", "lamp_count"}, between(1, 12, number_in({})));
-    lamp_.count =
-        count ? static_cast<int>(std::lround(*count))
-              : static_cast<int>(std::clamp<std::size_t>(lamp_.directions_degrees.size(), 1, 12));
+    const auto count = first_of({"light:count", "lamp_count"},
+                                between(1, static_cast<double>(max_count), number_in({})));
+    lamp_.count = static_cast<int>(
+        std::max<std::size_t>({1, count ? static_cast<std::size_t>(std::lround(*count)) : 1,
+                               lamp_.directions_degrees.size()}));
   }
 
   const osm::OsmTags& tags_;
@@ -202,16 +206,6 @@ std::optional<double> parse_cct_k(string_view text) {
       return value;
   }
   return std::nullopt;
-}
-
-std::optional<double> parse_direction_degrees(string_view text) {
-  if (const auto known = find_bearing_degrees(osm::normalise_tag(text))) return known;
-  const auto value = osm::take_number(text);
-  const std::string unit = osm::normalise_tag(text);
-  if (!value || *value < -360 || *value > 360) return std::nullopt;
-  if (!unit.empty() && unit != "\xc2\xb0" && unit != "deg" && unit != "degrees")
-    return std::nullopt;
-  return *value < 0 ? *value + 360 : *value == 360 ? 0 : *value;
 }
 
 std::optional<LampType> parse_lamp_type(string_view text) {

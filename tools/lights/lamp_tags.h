@@ -29,7 +29,8 @@ struct LampTags {
   std::string model;  // of the luminaire, as an inventory names it
   std::optional<NightSchedule> hours;      // when it is lit, where a tag says so
   std::vector<double> directions_degrees;  // clockwise from north
-  int count = 1;                           // luminaires on the post, 1 to 12
+  // Luminaires on the post, 1 to 12, and no fewer than directions.
+  int count = 1;
   // Values that were not understood ("height=tall"), and their number.
   std::map<std::string, std::size_t> unread;
 };
@@ -40,8 +41,6 @@ LampTags read_lamp_tags(const osm::OsmTags& tags);
 /// Returns a colour temperature in kelvin, 1000 to 20000: "3000", "3000 K", "3000k", "warm_white",
 /// the middle of "3000-4000", the first of a list.
 std::optional<double> parse_cct_k(std::string_view text);
-/// Returns a bearing in degrees clockwise from north, 0 to 360: "90", "NNE", "south-west".
-std::optional<double> parse_direction_degrees(std::string_view text);
 /// Returns the type of the first word of a list that names one.
 std::optional<LampType> parse_lamp_type(std::string_view text);
 

@@ -181,8 +181,9 @@ class Placer {
     return glm::dvec2(0);
   }
 
-  /// Returns one direction for each luminaire: as tagged, otherwise towards the road; several
-  /// luminaires spread evenly round the post.
+  /// Returns one direction for each luminaire: as tagged, otherwise towards the road. Several
+  /// luminaires of one direction spread evenly round the post; of several directions each has the
+  /// next luminaire in turn.
   std::vector<glm::dvec2> find_aims(const osm::OsmLampNode& node, const LampTags& tags,
                                     const glm::dvec3& foot,
                                     const std::optional<RoadIndex::Nearest>& road) const {
@@ -199,15 +200,14 @@ class Placer {
       }
       aims.push_back(aim);
     }
-    const auto wanted = static_cast<std::size_t>(tags.count);
-    if (aims.size() > wanted) aims.resize(wanted);
-    if (aims.size() < wanted) {
-      const glm::dvec2 first = aims.front();
-      aims.clear();
-      for (std::size_t n = 0; n < wanted; ++n)
-        aims.push_back(rotated(
-            first, 2 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(wanted)));
-    }
+    const std::size_t directions = aims.size(),
+                      wanted =
+                          std::max<std::size_t>(directions, static_cast<std::size_t>(tags.count));
+    for (std::size_t n = directions; n < wanted; ++n)
+      aims.push_back(directions > 1
+                         ? aims[n % directions]
+                         : rotated(aims.front(), 2 * std::numbers::pi * static_cast<double>(n) /
+                                                     static_cast<double>(wanted)));
     return aims;
   }
 

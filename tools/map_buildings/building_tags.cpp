@@ -5,6 +5,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "tools/osm/bearings.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::map_buildings {
@@ -60,43 +61,11 @@ double assume_levels(const osm::OsmTags& tags) {
 }
 
 std::optional<double> find_direction(const osm::OsmTags& tags, city::SkipCounter& notes) {
-  static const std::unordered_map<std::string_view, double> compass{{"n", 0},
-                                                                    {"nne", 22.5},
-                                                                    {"ne", 45},
-                                                                    {"ene", 67.5},
-                                                                    {"e", 90},
-                                                                    {"ese", 112.5},
-                                                                    {"se", 135},
-                                                                    {"sse", 157.5},
-                                                                    {"s", 180},
-                                                                    {"ssw", 202.5},
-                                                                    {"sw", 225},
-                                                                    {"wsw", 247.5},
-                                                                    {"w", 270},
-                                                                    {"wnw", 292.5},
-                                                                    {"nw", 315},
-                                                                    {"nnw", 337.5},
-                                                                    {"north", 0},
-                                                                    {"east", 90},
-                                                                    {"south", 180},
-                                                                    {"west", 270},
-                                                                    {"north_east", 45},
-                                                                    {"northeast", 45},
-                                                                    {"south_east", 135},
-                                                                    {"southeast", 135},
-                                                                    {"south_west", 225},
-                                                                    {"southwest", 225},
-                                                                    {"north_west", 315},
-                                                                    {"northwest", 315}};
-  const std::string text = find_tag(tags, "roof:direction");
-  if (text.empty()) return {};
-  if (const auto known = compass.find(text); known != compass.end()) return known->second;
-  std::string_view rest = text;
-  const auto degrees = osm::take_number(rest);
-  if (degrees && *degrees >= -360 && *degrees <= 360)
-    return *degrees < 0 ? *degrees + 360 : *degrees;
-  notes.add("roof:direction=" + text + ", not understood");
-  return {};
+  const auto found = tags.find("roof:direction");
+  if (found == tags.end()) return {};
+  const auto degrees = osm::parse_bearing_degrees(found->second);
+  if (!degrees) notes.add("roof:direction=" + found->second + ", not understood");
+  return degrees;
 }
 
 RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
@@ -105,8 +74,16 @@ RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
       {"flat", RoofShape::flat},
       {"gabled", RoofShape::gabled},
       {"pitched", RoofShape::gabled},
+      {"gambrel", RoofShape::gambrel},
+      {"round", RoofShape::round},
+      {"saltbox", RoofShape::saltbox},
       {"hipped", RoofShape::hipped},
+      {"half_hipped", RoofShape::half_hipped},
+      {"mansard", RoofShape::mansard},
       {"pyramidal", RoofShape::pyramidal},
+      {"cone", RoofShape::pyramidal},
+      {"dome", RoofShape::dome},
+      {"onion", RoofShape::onion},
       {"skillion", RoofShape::skillion}};
   const std::string text = find_tag(tags, "roof:shape");
   const auto known = table.find(text);
@@ -155,7 +132,8 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
                      .value_or(storey_m * min_level.value_or(0));
   const auto height = find_length(tags, {"height", "building:height"}, notes);
   sizes.roof = find_shape(tags, notes);
-  sizes.across = find_tag(tags, "roof:orientation") == "across";
+  if (const std::string orientation = find_tag(tags, "roof:orientation"); !orientation.empty())
+    sizes.across = orientation == "across";
   sizes.direction_degrees = find_direction(tags, notes);
   if (levels && *levels >= 1) sizes.storeys = static_cast<int>(*levels);
 
@@ -164,6 +142,7 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   if (sizes.roof != RoofShape::flat) {
     const auto said = find_length(tags, {"roof:height", "building:roof:height"}, notes);
     roof_is_said = said.has_value();
+    sizes.rise_is_said = said || roof_levels;
     if (!said && !roof_levels) sizes.slope_degrees = find_slope(tags, notes);
     roof_m = said.value_or(roof_levels ? storey_m * std::max(*roof_levels, 0.5) : storey_m);
   }

@@ -11,7 +11,20 @@
 
 namespace nightcity::map_buildings {
 
-enum class RoofShape : std::uint8_t { flat, gabled, hipped, pyramidal, skillion };
+enum class RoofShape : std::uint8_t {
+  flat,
+  gabled,
+  gambrel,
+  round,
+  saltbox,
+  hipped,
+  half_hipped,
+  mansard,
+  pyramidal,
+  dome,
+  onion,
+  skillion
+};
 
 struct BuildingSizes {
   double foot_m = 0;     // above the ground: min_height, building:min_level
@@ -19,10 +32,12 @@ struct BuildingSizes {
   double top_m = 0;      // of the roof
   bool assumed = false;  // no tag says how high it is
   RoofShape roof = RoofShape::flat;
-  bool across = false;                      // the ridge runs along the shorter side
+  // The ridge runs along the shorter side; none: as the roof falls, else along the longer side.
+  std::optional<bool> across;
   std::optional<double> direction_degrees;  // the roof falls that way: clockwise from north
   std::optional<double> slope_degrees;      // roof:angle, where no tag says the roof's height
   bool top_is_said = false;                 // by a height, and not by levels
+  bool rise_is_said = false;                // roof:height or roof:levels
   std::optional<int> storeys;               // building:levels
 };
 

@@ -1,11 +1,12 @@
 #include "tools/map_lights/sign_tags.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
-#include "tools/lights/lamp_tags.h"
 #include "tools/lights/lit_tag.h"
 #include "tools/map_lights/thing.h"
+#include "tools/osm/bearings.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::map_lights {
@@ -94,8 +95,15 @@ class SignReader {
         count_unread("sides");
     }
     if (const std::string text = find("direction"); !text.empty()) {
-      sign_.bearing_degrees = lights::parse_direction_degrees(text);
-      if (!sign_.bearing_degrees) count_unread("direction");
+      const osm::Bearings bearings = osm::parse_bearings(text);
+      if (!bearings.degrees.empty()) sign_.bearing_degrees = bearings.degrees.front();
+      // Two faces that look away from each other are the two sides of one sheet.
+      const bool back_to_back =
+          bearings.degrees.size() == 2 &&
+          std::abs(std::abs(bearings.degrees[0] - bearings.degrees[1]) - 180) < 30;
+      if (back_to_back && sides.empty() && sign_.kind->sides > 0) sign_.sides = 2;
+      if (!bearings.unread.empty() || bearings.degrees.size() > (back_to_back ? 2u : 1u))
+        count_unread("direction");
     }
   }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -22,6 +23,7 @@
 #include "formats/error.h"
 #include "tools/osm/arranged_map.h"
 #include "tools/osm/osm_document.h"
+#include "tools/osm/outer_ways.h"
 #include "tools/osm/packed_map.h"
 #include "tools/osm/whole_tags.h"
 
@@ -33,13 +35,15 @@ struct TagCheck : osmium::handler::Handler {
   void osm_object(const osmium::OSMObject& object) { require_whole_tags(object.tags()); }
 };
 
+bool has_key(const osmium::TagList& tags, const AreaSelection& selection) {
+  return std::any_of(selection.keys.begin(), selection.keys.end(),
+                     [&](const std::string& key) { return tags.has_key(key.c_str()); });
+}
+
 // Returns the tags of an element that is selected, otherwise none.
 OsmTags select_tags(const osmium::TagList& tags, const AreaSelection& selection) {
-  const bool has_key =
-      std::any_of(selection.keys.begin(), selection.keys.end(),
-                  [&](const std::string& key) { return tags.has_key(key.c_str()); });
   OsmTags out;
-  if (!has_key) return out;
+  if (!has_key(tags, selection)) return out;
   for (const osmium::Tag& tag : tags) out.emplace(tag.key(), tag.value());
   if (selection.wants && !selection.wants(out)) out.clear();
   return out;
@@ -101,6 +105,7 @@ class BoundedAssembler {
     osmium::area::AssemblerConfig assembler;
     std::size_t max_nodes;
     TooLong* too_long;
+    OuterWays* outer_ways;
   };
   explicit BoundedAssembler(const config_type& config)
       : config_(config), assembler_(config.assembler) {}
@@ -115,10 +120,13 @@ class BoundedAssembler {
                   osmium::memory::Buffer& out) {
     std::size_t nodes = 0;
     for (const osmium::Way* way : ways) nodes += way->nodes().size();
-    if (nodes > config_.max_nodes)
+    if (nodes > config_.max_nodes) {
       ++config_.too_long->relations;
-    else
-      assembler_(relation, ways, out);
+      return;
+    }
+    const std::size_t begin = out.committed();
+    if (assembler_(relation, ways, out) && out.committed() > begin)
+      config_.outer_ways->add(relation, ways, out.get<osmium::Area>(begin));
   }
   const osmium::area::area_stats& stats() const { return assembler_.stats(); }
 
@@ -127,15 +135,18 @@ class BoundedAssembler {
   osmium::area::Assembler assembler_;
 };
 
-// Hands relations on, but for those of a way that others name as well, very often. Relations share
+// Hands relations on that are selected or that their outer ways may select, but for those of a way
+// that others name as well, very often. Relations share
 // borders, but few of them one; and for each that is complete, libosmium looks at all members that
 // any relation has in the same way.
 template <class Manager>
 class RelationGate : public osmium::handler::Handler {
  public:
-  RelationGate(Manager& manager, TooLong& too_long) : manager_(manager), too_long_(too_long) {}
+  RelationGate(Manager& manager, const AreaSelection& selection, TooLong& too_long)
+      : manager_(manager), selection_(selection), too_long_(too_long) {}
 
   void relation(const osmium::Relation& relation) {
+    if (!has_key(relation.tags(), selection_) && !is_untagged_multipolygon(relation)) return;
     constexpr std::size_t max_uses = 64;
     std::size_t uses = 0;
     if (manager_.new_relation(relation))
@@ -150,40 +161,62 @@ class RelationGate : public osmium::handler::Handler {
 
  private:
   Manager& manager_;
+  const AreaSelection& selection_;
   TooLong& too_long_;
   std::unordered_map<osmium::object_id_type, std::size_t> uses_of_way_;
 };
 
 class Collector : public osmium::handler::Handler {
  public:
-  explicit Collector(const AreaSelection& selection) : selection_(selection) {}
+  Collector(const AreaSelection& selection, const OuterWays& outer_ways)
+      : selection_(selection), outer_ways_(outer_ways) {}
 
   void area(const osmium::Area& area) {
-    MapArea out;
-    out.tags = select_tags(area.tags(), selection_);
-    if (out.tags.empty()) return;
-    out.id = (area.from_way() ? "way/" : "relation/") + std::to_string(area.orig_id());
+    const bool from_way = area.from_way();
+    const std::vector<OuterRing>* untagged =
+        from_way ? nullptr : outer_ways_.find_rings(area.orig_id());
+    MapArea whole{(from_way ? "way/" : "relation/") + std::to_string(area.orig_id()),
+                  select_tags(area.tags(), selection_),
+                  {}};
+    if (!from_way && !untagged)
+      if (const OsmTags* more = outer_ways_.find_more_tags(area.orig_id()))
+        whole.tags.insert(more->begin(), more->end());
+    if (whole.tags.empty() && !untagged) return;
+    std::vector<MapArea> made;
+    std::size_t number = 0;
+    bool is_empty = true;
     for (const osmium::OuterRing& outer : area.outer_rings()) {
+      const OuterRing* own = untagged ? &(*untagged)[number++] : nullptr;
+      if (own && own->tags.empty()) continue;
       MapRings rings;
       rings.outer = copy(outer);
       for (const osmium::InnerRing& inner : area.inner_rings(outer))
         rings.holes.push_back(copy(inner));
-      if (rings.outer.size() >= 3) out.rings.push_back(std::move(rings));
+      if (rings.outer.size() < 3) continue;
+      is_empty = false;
+      if (own && own->own_way != 0) {
+        made.push_back({"way/" + std::to_string(own->own_way), own->tags, {std::move(rings)}});
+      } else {
+        if (own && whole.tags.empty()) whole.tags = own->tags;
+        whole.rings.push_back(std::move(rings));
+      }
     }
-    if (out.rings.empty()) {
-      areas.broken += !area.from_way();  // ways are counted at the end
+    if (is_empty) {
+      areas.broken += !from_way;  // ways are counted at the end
       return;
     }
-    if (area.from_way()) made_ways_.insert(area.orig_id());
+    if (!whole.rings.empty()) made.push_back(std::move(whole));
+    if (from_way) made_ways_.insert(area.orig_id());
     // A history has several versions of an area: the newest counts.
     std::vector<MapArea>& list = areas.areas;
-    const auto [known, is_new] = newest_.try_emplace(area.id(), State{area.version(), list.size()});
+    const State state{area.version(), list.size(), list.size() + made.size()};
+    const auto [known, is_new] = newest_.try_emplace(area.id(), state);
     if (!is_new) {
       if (area.version() < known->second.version) return;
-      list[known->second.place].rings.clear();
-      known->second = {area.version(), list.size()};
+      clear(known->second);
+      known->second = state;
     }
-    list.push_back(std::move(out));
+    std::move(made.begin(), made.end(), std::back_inserter(list));
   }
 
   // Removes what newer versions have replaced or deleted.
@@ -191,12 +224,15 @@ class Collector : public osmium::handler::Handler {
     areas.too_long = too_long.ways.size() + too_long.relations;
     for (const auto& [id, version] : places.deleted_ways) {
       const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
-      if (known != newest_.end() && known->second.version < version)
-        areas.areas[known->second.place].rings.clear();
+      if (known != newest_.end() && known->second.version < version) clear(known->second);
     }
+    for (const auto id : outer_ways_.replaced())
+      if (const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
+          known != newest_.end())
+        clear(known->second);
     const auto is_missing = [&](osmium::object_id_type id) {
       return !made_ways_.contains(id) && !places.deleted_ways.contains(id) &&
-             !too_long.ways.contains(id);
+             !too_long.ways.contains(id) && !outer_ways_.replaced().contains(id);
     };
     for (const auto id : places.closed_ways) areas.broken += is_missing(id);
     for (const auto id : places.open_ways) areas.open_ways += is_missing(id);
@@ -209,8 +245,12 @@ class Collector : public osmium::handler::Handler {
  private:
   struct State {
     osmium::object_version_type version;
-    std::size_t place;
+    std::size_t begin, end;  // of its areas
   };
+
+  void clear(const State& state) {
+    for (std::size_t n = state.begin; n < state.end; ++n) areas.areas[n].rings.clear();
+  }
 
   static std::vector<glm::dvec2> copy(const osmium::NodeRefList& ring) {
     std::vector<glm::dvec2> out;
@@ -223,6 +263,7 @@ class Collector : public osmium::handler::Handler {
   }
 
   const AreaSelection& selection_;
+  const OuterWays& outer_ways_;
   std::unordered_map<osmium::object_id_type, State> newest_;
   std::unordered_set<osmium::object_id_type> made_ways_;
 };
@@ -248,12 +289,16 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
                     std::size_t max_nodes, Order order) {
   osmium::TagsFilter filter{false};
   for (const std::string& key : selection.keys) filter.add_rule(true, key);
+  filter.add_rule(true, "type", "multipolygon");  // the gate looks at the other tags
   TooLong too_long;
-  osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
+  OuterWays outer_ways([&](const osmium::TagList& tags) { return select_tags(tags, selection); },
+                       selection.keys);
+  osmium::area::MultipolygonManager<BoundedAssembler> manager{
+      {{}, max_nodes, &too_long, &outer_ways}, filter};
   TagCheck check;
-  RelationGate gate(manager, too_long);
+  RelationGate gate(manager, selection, too_long);
   Places places(selection);
-  Collector collector(selection);
+  Collector collector(selection, outer_ways);
   const auto collect = [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, collector); };
   if (const auto document = find_osm_document(file)) {
     ArrangedMap map = arrange_map(document->child("osm"));
@@ -277,8 +322,9 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
   }
   MapAreas areas = std::move(collector).finish(places, too_long);
   std::size_t incomplete = 0;
-  manager.for_each_incomplete_relation(
-      [&](const osmium::relations::RelationHandle&) { ++incomplete; });
+  manager.for_each_incomplete_relation([&](const osmium::relations::RelationHandle& handle) {
+    incomplete += has_key(handle->tags(), selection);
+  });
   areas.broken += incomplete;
   return areas;
 }

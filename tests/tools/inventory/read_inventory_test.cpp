@@ -67,6 +67,21 @@ TEST(Inventory, ColumnsBecomeTheTagsThatLampsAreReadBy) {
   EXPECT_EQ(read.report.columns.at("height"), 1u);
 }
 
+TEST(Inventory, ACommaInADirectionIsADecimalOneUnlessThreeDigitsFollow) {
+  const TempFolder folder;
+  write_text(folder / "lamps.csv",
+             "lon;lat;azimuth\n13.4;52.5;123,45\n13.41;52.5;90,270\n13.42;52.5;90;\n");
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  file.crs = "EPSG:4326";
+  file.columns = {{"direction", "azimuth"}};
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 3u);
+  EXPECT_EQ(read.lamps[0].tags.at("light:direction"), "123.45");
+  EXPECT_EQ(read.lamps[1].tags.at("light:direction"), "90,270");
+  EXPECT_EQ(read.lamps[2].tags.at("light:direction"), "90");
+}
+
 TEST(Inventory, AHeadingNamesTheUnitOfItsNumbers) {
   const TempFolder folder;
   write_text(folder / "lamps.csv",

@@ -23,15 +23,15 @@ TEST(LampTags, ColourTemperaturesAsNumbersAndWords) {
     EXPECT_FALSE(parse_cct_k(text)) << text;
 }
 
-TEST(LampTags, DirectionsAsDegreesAndCompassPoints) {
-  EXPECT_EQ(parse_direction_degrees("90"), 90);
-  EXPECT_EQ(parse_direction_degrees("NNE"), 22.5);
-  EXPECT_EQ(parse_direction_degrees("south-west"), 225);
-  EXPECT_EQ(parse_direction_degrees("-90"), 270);
-  EXPECT_EQ(parse_direction_degrees("360"), 0);
-  EXPECT_EQ(parse_direction_degrees("45\xc2\xb0"), 45);
-  for (const char* text : {"", "forward", "720", "90 apples"})
-    EXPECT_FALSE(parse_direction_degrees(text)) << text;
+TEST(LampTags, EachDirectionIsALuminaire) {
+  const LampTags two = read_lamp_tags({{"light:direction", "90,270"}});
+  EXPECT_EQ(two.directions_degrees, (std::vector<double>{90, 270}));
+  EXPECT_EQ(two.count, 2);
+  EXPECT_EQ(read_lamp_tags({{"light:direction", "N;S;E"}, {"light:count", "1"}}).count, 3);
+  EXPECT_EQ(read_lamp_tags({{"light:direction", "N;S"}, {"light:count", "4"}}).count, 4);
+  const LampTags crowd = read_lamp_tags({{"direction", "1;2;3;4;5;6;7;8;9;10;11;12;13"}});
+  EXPECT_EQ(crowd.count, 1);
+  EXPECT_EQ(crowd.unread.size(), 1u);
 }
 
 TEST(LampTags, LampTypesAsPeopleSpellThem) {

@@ -139,6 +139,29 @@ TEST(Lamps, SeveralLuminairesOnOnePostPointApart) {
   EXPECT_NEAR(four.lamps[0].flux_lm * 4, twin.lamps[0].flux_lm * 2, 1e-6);
 }
 
+TEST(Lamps, EachDirectionHasItsLuminairesAndNoLightIsLost) {
+  const auto at = [](const char* direction, const char* count) {
+    osm::OsmTags tags{{"light:direction", direction}, {"light:luminous_flux", "6000"}};
+    if (*count) tags["light:count"] = count;
+    return place({lamp_at(0, 5, tags)}).lamps;
+  };
+  for (const char* count : {"", "1", "2"}) {
+    const auto twin = at("90,270", count);
+    ASSERT_EQ(twin.size(), 2u) << count;
+    EXPECT_NEAR(twin[0].aim.x, 1, 1e-6);
+    EXPECT_NEAR(twin[1].aim.x, -1, 1e-6);
+    EXPECT_EQ(twin[0].flux_lm, 6000);
+    EXPECT_EQ(twin[1].flux_lm, 6000);
+  }
+  // Four luminaires: two each way, sharing the light of two lamps as any cluster.
+  const auto four = at("N;S", "4");
+  ASSERT_EQ(four.size(), 4u);
+  for (const std::size_t n : {0u, 1u, 2u, 3u}) {
+    EXPECT_NEAR(four[n].aim.y, n % 2 == 0 ? 1 : -1, 1e-6);
+    EXPECT_NEAR(four[n].flux_lm, 3000, 1e-9);
+  }
+}
+
 TEST(Lamps, TaggedDirectionCountsFromTrueNorth) {
   osm::OsmData osm;
   osm.lamps = {lamp_at(0, 5, {{"direction", "E"}})};

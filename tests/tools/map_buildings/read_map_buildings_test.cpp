@@ -132,7 +132,12 @@ TEST(MapBuildings, HeightsComeFromTagsInTheirOrder) {
   // Roofs: levels of the roof stand on those of the building; "height" reaches the roof's top.
   expect_near(volume_of("building=yes,building:levels=2,roof:shape=gabled,roof:height=4"), 8);
   expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:levels=1"), 8.5);
-  expect_near(volume_of("building=yes,height=10,roof:shape=dome"), 10);
+  expect_near(volume_of("building=yes,height=10,roof:shape=crosspitched"), 10);
+  // Half of 6 m wide, and two thirds of that in the mean.
+  expect_near(volume_of("building=yes,height=10,roof:shape=dome"), 7 + 2);
+  // The ridge runs across the way that a gable falls.
+  expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:direction=E,roof:angle=45"),
+              5 + 2.5);
   EXPECT_EQ(volume_of("building=no,height=10"), 0);
   EXPECT_EQ(volume_of("building=yes,location=underground"), 0);
 }
@@ -247,16 +252,72 @@ TEST(MapBuildings, MultipolygonsHaveCourtyards) {
   EXPECT_TRUE(result.objects[0].id.starts_with("relation/"));
 }
 
+// The tags of multipolygons were on their outer ways until 2017.
+TEST(MapBuildings, CourtyardsOfMultipolygonsWhoseOuterWaySaysWhatTheyAre) {
+  for (const char* relation : {"", "name=Court", "building=yes", "building=apartments,height=10"}) {
+    Map map;
+    const int outer = map.add_rectangle(0, 0, 30, 20, "building=yes,height=10"),
+              inner = map.add_rectangle(10, 5, 10, 10, "");
+    map.add_multipolygon(outer, inner, relation);
+    const Read result = read(map);
+    ASSERT_EQ(result.objects.size(), 1u) << relation;
+    expect_near(volume(result.objects[0]), (600 - 100) * 10);
+    EXPECT_TRUE(result.report.skipped.empty()) << relation;
+  }
+  // A hole with the tags of its outline is a hole, another building in it stands.
+  for (const auto& [tags, objects] :
+       {std::pair("building=yes,height=10", 1u), std::pair("building=shed,height=10", 2u)}) {
+    Map map;
+    const int outer = map.add_rectangle(0, 0, 30, 20, "building=yes,height=10"),
+              inner = map.add_rectangle(10, 5, 10, 10, tags);
+    map.add_multipolygon(outer, inner, "");
+    EXPECT_EQ(read(map).objects.size(), objects) << tags;
+  }
+  // A relation about something else leaves the way alone.
+  Map map;
+  const int outer = map.add_rectangle(0, 0, 30, 20, "building=yes,height=10"),
+            inner = map.add_rectangle(10, 5, 10, 10, "");
+  map.add_multipolygon(outer, inner, "landuse=residential");
+  const Read result = read(map);
+  ASSERT_EQ(result.objects.size(), 1u);
+  expect_near(volume(result.objects[0]), 600 * 10);
+}
+
+TEST(MapBuildings, AnOutlineCutIntoTaggedWaysIsOneBuilding) {
+  const std::string nodes =
+      "<node id='1' lat='0' lon='10'/><node id='2' lat='0' lon='10.0003'/>"
+      "<node id='3' lat='0.0003' lon='10.0003'/><node id='4' lat='0.0003' lon='10'/>";
+  const auto way = [](int id, const char* refs, const char* tag) {
+    return "<way id='" + std::to_string(id) + "'>" + refs + tag + "</way>";
+  };
+  const char *first = "<nd ref='1'/><nd ref='2'/><nd ref='3'/>",
+             *second = "<nd ref='3'/><nd ref='4'/><nd ref='1'/>",
+             *tag = "<tag k='building' v='yes'/>";
+  for (const char* other : {tag, ""}) {
+    const TemporaryFile file("<osm version='0.6'>" + nodes + way(10, first, tag) +
+                                 way(11, second, other) +
+                                 "<relation id='20'><member type='way' ref='10' role='outer'/>"
+                                 "<member type='way' ref='11' role='outer'/>"
+                                 "<tag k='type' v='multipolygon'/></relation></osm>",
+                             ".osm");
+    std::vector<std::string> ids;
+    const city::ObjectSink sink = [&](city::CityObject&& o) { ids.push_back(o.id); };
+    const city::ReadReport report = read_map_buildings(file.path(), {}, city::deliver_to(sink));
+    EXPECT_EQ(ids, std::vector<std::string>{"relation/20"});
+    EXPECT_TRUE(report.skipped.empty());
+  }
+}
+
 TEST(MapBuildings, WhatIsAssumedOrNotShownIsCounted) {
   Map map;
   map.add_rectangle(0, 0, 10, 6, "building=yes");
-  map.add_rectangle(20, 0, 10, 6, "building=yes,height=9,roof:shape=onion");
+  map.add_rectangle(20, 0, 10, 6, "building=yes,height=9,roof:shape=crosspitched");
   map.add_rectangle(40, 0, 10, 6, "building=yes,height=3,min_height=5");
   map.add_rectangle(60, 0, 10, 6, "building=construction,height=3");
   const Read result = read(map);
   EXPECT_EQ(result.objects.size(), 3u);
   EXPECT_EQ(result.report.assumed.at("height of a building that the map does not say"), 1u);
-  EXPECT_EQ(result.report.skipped.at("roof:shape=onion, shown flat"), 1u);
+  EXPECT_EQ(result.report.skipped.at("roof:shape=crosspitched, shown flat"), 1u);
   EXPECT_EQ(result.report.skipped.at("building whose min_height is not below its height"), 1u);
   EXPECT_EQ(result.report.skipped.at("building below the ground, not built or gone"), 1u);
 }

@@ -76,6 +76,92 @@ TEST(Roofs, ARectangleUnderEveryRoofHasItsVolume) {
   expect_shell(rectangle, sizes(RoofShape::hipped), 60 * 5 + 6 * 3 / 2.0 * 4 + 36 * 3 / 3.0);
 }
 
+TEST(Roofs, BrokenAndCurvedRoofsHaveTheVolumeOfTheirClosedForms) {
+  const double share = std::sqrt(0.5);
+  // Two trapezoids below a gable.
+  const double gambrel = 6 * 3 * (share * (1 + share) / 2 + share * (1 - share) / 2);
+  expect_shell(rectangle, sizes(RoofShape::gambrel), 60 * 5 + 10 * gambrel);
+  // The short slope begins at half the rise: 0.75 over a third of the width, 0.5 over the rest.
+  expect_shell(rectangle, sizes(RoofShape::saltbox), 60 * 5 + 60 * 3 * (0.75 / 3 + 0.5 * 2 / 3));
+  // A gable without a tetrahedron at each end: half of its height and width, a quarter deep.
+  expect_shell(rectangle, sizes(RoofShape::half_hipped),
+               60 * 5 + 60 * 3 / 2.0 - 2 * (3 * 1.5 / 2 * 1.5 / 3));
+  // A prismatoid (Simpson's rule is exact), and a hipped roof on what it leaves.
+  const double inset = (1 - share) * 3;
+  const auto plan = [](double x) { return (10 - 2 * x) * (6 - 2 * x); };
+  const double below = share * 3 / 6 * (60 + 4 * plan(inset / 2) + plan(inset));
+  const double width = 6 - 2 * inset, ridge = 10 - 6, rise = 3 * (1 - share);
+  const double above = width * rise / 2 * ridge + width * width * rise / 3;
+  expect_shell(rectangle, sizes(RoofShape::mansard), 60 * 5 + below + above);
+}
+
+double volume_of(const Outline& outline, const BuildingSizes& s) {
+  bool flat = false;
+  const auto shell = make_shell(outline, s, flat);
+  EXPECT_FALSE(flat);
+  EXPECT_TRUE(is_closed(shell));
+  double top = 0;
+  for (const city::Polygon& polygon : shell)
+    for (const glm::dvec3& p : polygon.exterior) top = std::max(top, p.z);
+  EXPECT_EQ(top, s.top_m);
+  return volume(shell);
+}
+
+TEST(Roofs, ARoundRoofIsAnArcOrHalfAnEllipse) {
+  // Rise 2 over half a width of 3: the radius is (2^2 + 3^2) / 4, the half angle 2 atan(2 / 3).
+  const double radius = 13 / 4.0, angle = 2 * std::atan(2 / 3.0);
+  const double segment = radius * radius * (angle - std::sin(angle) * std::cos(angle));
+  EXPECT_NEAR(volume_of(rectangle, sizes(RoofShape::round, 0, 5, 7)) - 300, 10 * segment,
+              0.01 * 10 * segment);
+  const double ellipse = std::numbers::pi / 2 * 3 * 4;
+  EXPECT_NEAR(volume_of(rectangle, sizes(RoofShape::round, 0, 5, 9)) - 300, 10 * ellipse,
+              0.015 * 10 * ellipse);
+}
+
+TEST(Roofs, DomesAndOnionsAreBodiesOfSimilarSections) {
+  Outline circle;
+  constexpr int corners = 32;
+  for (int i = 0; i < corners; ++i)
+    circle.outer.emplace_back(4 * std::cos(2 * std::numbers::pi * i / corners),
+                              4 * std::sin(2 * std::numbers::pi * i / corners));
+  const double area = 16 * corners / 2.0 * std::sin(2 * std::numbers::pi / corners);
+  const double dome = volume_of(circle, sizes(RoofShape::dome, 0, 5, 9)) - 5 * area;
+  EXPECT_NEAR(dome, area * 4 * 2 / 3, 0.01 * area * 4);  // half an ellipsoid
+  // By the midpoint rule: the integral of the squared radius over the height.
+  double sum = 0;
+  constexpr int steps = 20'000;
+  for (int i = 0; i < steps; ++i) {
+    const double t = (i + 0.5) / steps, c = std::cos(std::numbers::pi / 2 * t);
+    sum += std::pow(c, 4) * std::pow(1 + 1.5 * t, 2) / steps;
+  }
+  const double onion = volume_of(circle, sizes(RoofShape::onion, 0, 5, 9)) - 5 * area;
+  EXPECT_NEAR(onion, area * 4 * sum, 0.01 * area * 4);
+  // Neither over a long hall nor over an angle that the centroid does not see whole.
+  const Outline hall{{{0, 0}, {40, 0}, {40, 6}, {0, 6}}, {}};
+  expect_shell(hall, sizes(RoofShape::dome), 240 * 8, true);
+  expect_shell(rectangle, sizes(RoofShape::onion, 3, 5, 8),
+               volume_of(rectangle, sizes(RoofShape::onion, 3, 5, 8)));
+}
+
+TEST(Roofs, TheLongSlopeOfASaltboxFallsTheWayItsTagSays) {
+  for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
+    BuildingSizes s = sizes(RoofShape::saltbox);
+    s.direction_degrees = degrees;
+    bool flat = false;
+    double most = 0;
+    glm::dvec3 largest{0};
+    for (const city::Polygon& polygon : make_shell(rectangle, s, flat)) {
+      if (polygon.surface != city::SurfaceType::roof) continue;
+      const glm::dvec3 vector = city::area_vector(polygon.exterior);
+      if (glm::length(vector) > most) most = glm::length(vector), largest = vector;
+    }
+    const double angle = degrees * std::numbers::pi / 180;
+    EXPECT_NEAR(
+        glm::dot(glm::normalize(glm::dvec2(largest)), glm::dvec2(std::sin(angle), std::cos(angle))),
+        1, 1e-9);
+  }
+}
+
 TEST(Roofs, OnlyWhatStandsOnTheGroundHasAGroundSurface) {
   bool flat = false;
   EXPECT_EQ(make_shell(rectangle, sizes(RoofShape::flat), flat).back().surface,
@@ -142,14 +228,17 @@ TEST(Roofs, GablesOverAnyOutlineAreClosed) {
       const double t = 2 * std::numbers::pi * i / corners;
       outline.outer.emplace_back(9 * std::cos(t), 4 * std::sin(t) + 0.3 * std::cos(3 * t));
     }
-    for (const bool across : {false, true}) {
-      BuildingSizes s = sizes(RoofShape::gabled);
-      s.across = across;
-      bool flat = false;
-      const auto shell = make_shell(outline, s, flat);
-      EXPECT_TRUE(is_closed(shell)) << corners;
-      EXPECT_GT(volume(shell), 0) << corners;
-    }
+    for (const bool across : {false, true})
+      for (const RoofShape roof :
+           {RoofShape::gabled, RoofShape::gambrel, RoofShape::round, RoofShape::saltbox,
+            RoofShape::half_hipped, RoofShape::mansard, RoofShape::dome, RoofShape::onion}) {
+        BuildingSizes s = sizes(roof);
+        s.across = across;
+        bool flat = false;
+        const auto shell = make_shell(outline, s, flat);
+        EXPECT_TRUE(is_closed(shell)) << corners;
+        EXPECT_GT(volume(shell), 0) << corners;
+      }
   }
 }
 

@@ -36,7 +36,9 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                 "Without `[city] files`, the map's buildings are the city model: `building`, "
                 "`building:part`, `height`, `min_height`, `building:levels`, "
                 "`building:min_level`, `roof:shape` (flat, gabled, hipped, pyramidal, "
-                "skillion), `roof:height`, `roof:angle`, `roof:levels`, `roof:direction`, "
+                "skillion, gambrel, mansard, half-hipped, "
+                "saltbox, round, dome, onion, cone), `roof:height`, `roof:angle`, `roof:levels`, "
+                "`roof:direction`, "
                 "`roof:orientation`. They stand on `[terrain] dem`, each on the lowest ground "
                 "below it, or on a plane at height 0. Levels are 3 m; buildings without any "
                 "height get the levels of their kind, and are counted as assumed."),
