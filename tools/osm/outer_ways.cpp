@@ -22,15 +22,15 @@ constexpr std::array<std::string_view, 32> kinds = {
     "office",   "power",         "military",  "indoor",          "sport",   "parking",  "craft",
     "club",     "healthcare",    "emergency", "public_transport"};
 
-using Places = std::unordered_set<osmium::Location>;
+using Corners = std::unordered_set<osmium::Location>;
 
-Places find_places(const osmium::NodeRefList& ring) {
-  Places places;
-  for (const osmium::NodeRef& node : ring) places.insert(node.location());
-  return places;
+Corners find_corners(const osmium::NodeRefList& ring) {
+  Corners corners;
+  for (const osmium::NodeRef& node : ring) corners.insert(node.location());
+  return corners;
 }
 
-bool lies_on(const osmium::Way& way, const Places& ring) {
+bool lies_on(const osmium::Way& way, const Corners& ring) {
   return std::all_of(way.nodes().begin(), way.nodes().end(),
                      [&](const osmium::NodeRef& node) { return ring.contains(node.location()); });
 }
@@ -75,11 +75,11 @@ void OuterWays::add_untagged(const osmium::Relation& relation,
   of_relation.erase("type");
   std::vector<OsmTags> own;
   for (const osmium::OuterRing& outer : area.outer_rings()) {
-    const Places places = find_places(outer);
+    const Corners corners = find_corners(outer);
     OuterRing& ring = rings.emplace_back();
     bool is_first = true;
     for (const osmium::Way* way : ways) {
-      if (!lies_on(*way, places)) continue;
+      if (!lies_on(*way, corners)) continue;
       const OsmTags tags = select_(way->tags());
       if (way->is_closed()) ring.own_way = way->id();
       if (tags.empty()) continue;  // a piece of the outline that somebody has cut
@@ -90,7 +90,7 @@ void OuterWays::add_untagged(const osmium::Relation& relation,
     if (ring.tags.empty()) continue;
     own.push_back(ring.tags);
     for (const osmium::InnerRing& inner : area.inner_rings(outer)) {
-      const Places hole = find_places(inner);
+      const Corners hole = find_corners(inner);
       for (const osmium::Way* way : ways)
         if (way->is_closed() && lies_on(*way, hole) && select_(way->tags()) == ring.tags)
           replaced_.insert(way->id());
@@ -107,11 +107,11 @@ void OuterWays::add_tagged(const osmium::Relation& relation,
   const osmium::Way* last = nullptr;
   for (const osmium::OuterRing& outer : area.outer_rings()) {
     ++rings;
-    Places places;
+    Corners corners;
     for (const osmium::Way* way : ways) {
       if (way->tags().empty() || !is_same_thing(tags, select_(way->tags()))) continue;
-      if (places.empty()) places = find_places(outer);
-      if (!lies_on(*way, places)) continue;
+      if (corners.empty()) corners = find_corners(outer);
+      if (!lies_on(*way, corners)) continue;
       replaced_.insert(way->id());
       if (way->is_closed()) last = way;
     }
