@@ -52,8 +52,17 @@ bool has_weights(const Json& source) {
 }
 
 struct Counts {
-  std::size_t skins = 0, morphs = 0, punctual = 0, points_and_lines = 0;
+  std::size_t skins = 0, morphs = 0, punctual = 0, points_and_lines = 0, placeless = 0;
+  std::string names_of_placeless;  // where the first of them are
 };
+
+// "mesh 3 (Roof), primitive 0"
+std::string describe_place(std::size_t number, const Json& mesh, std::size_t primitive) {
+  const Json& name = member(mesh, "name");
+  return "mesh " + std::to_string(number) +
+         (name.is_string() ? " (" + name.get<std::string>() + ")" : "") + ", primitive " +
+         std::to_string(primitive);
+}
 
 Counts count(const gltf::Document& document) {
   Counts counts;
@@ -67,9 +76,20 @@ Counts count(const gltf::Document& document) {
   for (std::size_t i = 0; i < document.count("meshes"); ++i) {
     const Json& mesh = document.element("meshes", i);
     counts.morphs += has_weights(mesh);
-    for (const Json& primitive : member(mesh, "primitives"))
-      counts.points_and_lines +=
-          gltf::index(primitive, "mode").value_or(mode_triangles) < mode_triangles;
+    std::size_t number = 0;
+    for (const Json& primitive : member(mesh, "primitives")) {
+      const std::size_t own = number++;
+      if (gltf::index(primitive, "mode").value_or(mode_triangles) < mode_triangles) {
+        ++counts.points_and_lines;
+      } else if (!gltf::index(member(primitive, "attributes"), "POSITION")) {
+        constexpr std::size_t named = 3;
+        std::string& names = counts.names_of_placeless;
+        if (counts.placeless < named)
+          names += (names.empty() ? "" : "; ") + describe_place(i, mesh, own);
+        if (counts.placeless == named) names += "; ...";
+        ++counts.placeless;
+      }
+    }
   }
   return counts;
 }
@@ -96,6 +116,9 @@ std::vector<std::string> describe_skipped(const gltf::Document& document, bool b
       " not played: the scene stands still");
   say(counts.points_and_lines, " primitive of points or lines has",
       " primitives of points or lines have", " no surface, so nothing of it is seen");
+  const std::string of_placeless =
+      " no POSITION, so nothing of it is seen: " + counts.names_of_placeless;
+  say(counts.placeless, " primitive has", " primitives have", of_placeless.c_str());
   if (!baked)
     say(counts.punctual, " light is", " lights are",
         " not lit (KHR_lights_punctual): only the .lights file beside a scene shines");

@@ -219,6 +219,22 @@ TEST(ForeignScene, MovementAndLightsAreNamed) {
   EXPECT_EQ(scene.skipped.size(), 6u);
 }
 
+TEST(ForeignScene, PrimitivesWithoutPositionsAreNamedAndCounted) {
+  json document = foreign();
+  document["meshes"][0]["name"] = "Roof";
+  json& primitives = document["meshes"][0]["primitives"];
+  primitives.push_back({{"attributes", json::object()}});
+  const Scene one = read(document);
+  EXPECT_TRUE(says(
+      one, "1 primitive has no POSITION, so nothing of it is seen: mesh 0 (Roof), primitive 1"));
+  EXPECT_EQ(one.skipped.size(), 1u);
+  for (int i = 0; i < 4; ++i) primitives.push_back({{"attributes", {{"NORMAL", 0}}}});
+  const Scene five = read(document);
+  EXPECT_TRUE(says(five, "5 primitives have no POSITION"));
+  EXPECT_TRUE(says(five, "(Roof), primitive 3; ..."));
+  EXPECT_FALSE(says(five, "primitive 4"));
+}
+
 TEST(ForeignScene, MaterialsThatAreNotMattAreNamedAndReflectNoMoreThanAll) {
   json document = foreign();
   document["materials"] = {

@@ -21,6 +21,8 @@ class LayerCrs {
   /// where PROJ has no answer.
   glm::dvec2 to_lon_lat(const glm::dvec2& place) const;
 
+  bool is_geographic() const { return crs_->geographic(); }
+
  private:
   std::unique_ptr<georeference::SourceCrs> crs_;
 };

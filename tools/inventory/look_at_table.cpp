@@ -9,6 +9,7 @@
 #include "formats/to_lower.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/text_places.h"
 #include "tools/inventory/vector_file.h"
 
 namespace nightcity::inventory {
@@ -66,8 +67,10 @@ bool is_point(OGRwkbGeometryType type) {
   return wkbFlatten(type) == wkbPoint || wkbFlatten(type) == wkbMultiPoint;
 }
 
-bool holds_points(OGRLayer& layer) {
+bool holds_points(OGRLayer& layer, const InventoryFile& inventory) {
   if (is_point(layer.GetGeomType()) || find_point_column(layer) >= 0) return true;
+  const TextPlaces texts(layer, inventory);
+  if (texts.begins_with_angles()) return true;
   if (wkbFlatten(layer.GetGeomType()) != wkbUnknown) return false;
   // The first rows may be those without a place.
   constexpr int first_rows = 100;
@@ -75,8 +78,10 @@ bool holds_points(OGRLayer& layer) {
   for (int i = 0; i < first_rows; ++i) {
     const OGRFeatureUniquePtr row(layer.GetNextFeature());
     if (!row) break;
-    if (const OGRGeometry* geometry = row->GetGeometryRef())
-      return is_point(geometry->getGeometryType());
+    const OGRGeometry* geometry = row->GetGeometryRef();
+    const OGRGeometryUniquePtr as_text = geometry ? nullptr : texts.read_geometry(*row);
+    if (!geometry) geometry = as_text.get();
+    if (geometry) return is_point(geometry->getGeometryType());
   }
   return false;
 }
@@ -125,7 +130,7 @@ TableLook look_at_table(const std::filesystem::path& file) {
   int best = -1;  // of layers with points, the one that speaks most of lamps is taken
   for (int i = 0; i < dataset->GetLayerCount(); ++i) {
     OGRLayer* layer = dataset->GetLayer(i);
-    const int rate = holds_points(*layer) ? rate_as_lamps(*layer) : -1;
+    const int rate = holds_points(*layer, inventory) ? rate_as_lamps(*layer) : -1;
     look.has_points = look.has_points || rate >= 0;
     if (!chosen || rate > best) chosen = layer;
     best = std::max(best, rate);
@@ -136,6 +141,8 @@ TableLook look_at_table(const std::filesystem::path& file) {
   look.rows = chosen->GetFeatureCount(TRUE);
   if (const OGRSpatialReference* crs = chosen->GetSpatialRef())
     look.crs = crs->GetName() ? crs->GetName() : "unnamed";
+  else
+    look.crs = TextPlaces(*chosen, inventory).crs();
   OGRFeatureDefn& columns = *chosen->GetLayerDefn();
   for (int i = 0; i < columns.GetFieldCount(); ++i)
     look.columns.push_back(city::decode_text(columns.GetFieldDefn(i)->GetNameRef()));

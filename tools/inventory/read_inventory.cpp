@@ -14,9 +14,12 @@
 
 #include "formats/error.h"
 #include "tools/city/attributes.h"
+#include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/degrees_text.h"
 #include "tools/inventory/layer_columns.h"
 #include "tools/inventory/layer_crs.h"
+#include "tools/inventory/text_places.h"
 #include "tools/inventory/vector_file.h"
 #include "tools/osm/tag_values.h"
 #include "tools/random.h"
@@ -42,7 +45,8 @@ class Reader {
         layer_(find_layer(*dataset_, file)),
         columns_(layer_, file),
         point_column_(file.x.empty() ? find_point_column(layer_) : -1),
-        crs_((require_geometry(), layer_), file) {}
+        texts_(layer_, file),
+        crs_((require_geometry(), layer_), with_crs_of_texts()) {}
 
   Inventory read() {
     const gdal::Guard guard;
@@ -66,8 +70,14 @@ class Reader {
   }
 
  private:
+  InventoryFile with_crs_of_texts() const {
+    InventoryFile file = file_;
+    if (file.crs.empty()) file.crs = texts_.crs();
+    return file;
+  }
+
   void require_geometry() const {
-    if (layer_.GetGeomType() != wkbNone || point_column_ >= 0) return;
+    if (layer_.GetGeomType() != wkbNone || point_column_ >= 0 || texts_.has_columns()) return;
     throw Error(file_.file.string(),
                 "has no geometry and no columns with coordinates: name them by x and y in "
                 "[[lamps.inventories]]; its columns are " +
@@ -80,32 +90,27 @@ class Reader {
 
   using Places = std::vector<glm::dvec2>;
 
-  // "48.85, 2.35" and "(48.85, 2.35)": latitude comes first.
-  static std::optional<glm::dvec2> parse_lat_lon(std::string_view text) {
-    constexpr std::string_view around = " \t()[]";
-    const std::size_t comma = text.find(',');
-    if (comma == std::string_view::npos) return {};
-    const auto number = [&](std::string_view part) {
-      while (!part.empty() && around.find(part.front()) != around.npos) part.remove_prefix(1);
-      while (!part.empty() && around.find(part.back()) != around.npos) part.remove_suffix(1);
-      return city::parse_number(part);
-    };
-    const auto latitude = number(text.substr(0, comma)), longitude = number(text.substr(comma + 1));
-    if (!latitude || !longitude) return {};
-    return glm::dvec2(*longitude, *latitude);
-  }
-
   void take(const OGRFeature& row) {
     Places places;
-    if (point_column_ >= 0) {
-      const auto place = parse_lat_lon(row.GetFieldAsString(point_column_));
+    if (point_column_ >= 0 && !texts_.has_columns()) {
+      const auto place = parse_lat_lon(city::decode_text(row.GetFieldAsString(point_column_)));
       if (!place) return skip("without a place");
       places.push_back(*place);
     } else {
       const OGRGeometry* geometry = row.GetGeometryRef();
-      if (!geometry || geometry->IsEmpty()) return skip("without a place");
-      places = find_places(*geometry);
-      if (places.empty()) return skip("whose geometry is no point");
+      const OGRGeometryUniquePtr as_text = geometry ? nullptr : texts_.read_geometry(row);
+      // GDAL complains of a text that it does not understand, and goes on to the next row.
+      if (!geometry) CPLErrorReset();
+      if (!geometry) geometry = as_text.get();
+      if (geometry && !geometry->IsEmpty()) {
+        places = find_places(*geometry);
+        if (places.empty()) return skip("whose geometry is no point");
+      } else {
+        const auto lon_lat = texts_.read_lon_lat(row);
+        if (!lon_lat) return skip("without a place");
+        if (!crs_.is_geographic()) return skip("with degrees, where the CRS counts metres");
+        places.push_back(*lon_lat);
+      }
     }
     const osm::OsmTags tags = columns_.read(row);
     const std::string id = columns_.read_id(row);
@@ -202,6 +207,7 @@ class Reader {
   OGRLayer& layer_;
   LayerColumns columns_;
   int point_column_;  // -1: the layer has geometries
+  TextPlaces texts_;
   LayerCrs crs_;
   Inventory result_;
   std::map<std::pair<double, double>, std::size_t> at_place_;  // number of the lamp there

@@ -2,19 +2,26 @@
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
+#include <cpl_vsi.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/packed_file.h"
 #include "formats/to_lower.h"
+#include "tools/city/byte_source.h"
+#include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/text_places.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -22,18 +29,6 @@ namespace {
 constexpr std::array drivers{
     "GeoJSON", "GeoJSONSeq",     "ESRIJSON",   "CSV",
     "GPKG",    "ESRI Shapefile", "FlatGeobuf", static_cast<const char*>(nullptr)};
-
-// Names of columns with coordinates that open portals use.
-constexpr const char* x_names =
-    "lon,long,lng,longitude,x,x_coord,xcoord,coord_x,point_x,easting,laengengrad,längengrad,"
-    "geo_laenge,rechtswert,ostwert,longitud,longitudine,lengtegraad,x_wgs84,utm_x,utm_e,"
-    "lon (*,long (*,longitude (*,x (*,easting (*,lon [*,longitude [*,x [*,easting [*";
-constexpr const char* y_names =
-    "lat,latitude,y,y_coord,ycoord,coord_y,point_y,northing,breitengrad,geo_breite,hochwert,"
-    "nordwert,latitud,latitudine,breedtegraad,y_wgs84,utm_y,utm_n,"
-    "lat (*,latitude (*,y (*,northing (*,lat [*,latitude [*,y [*,northing [*";
-// Columns with whole geometries, as text.
-constexpr const char* geometry_names = "wkt,the_geom,geom,geometry,wkt_geom,geo_shape";
 
 void refuse_what_is_no_table(const std::filesystem::path& file) {
   std::error_code error;
@@ -57,14 +52,70 @@ std::string explain_unread(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff"))
-    return "it is text in UTF-16: save it as CSV in UTF-8";
+  if (city::begins_as_utf16(start)) return "it is text in UTF-16: save it in UTF-8";
   if (start.starts_with("PK\x03\x04"))
     return "it is an archive or a spreadsheet: unpack it, or save the table as CSV";
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
   return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons "
          "or tabs between its columns";
+}
+
+// A file in memory under a name of its own. GDAL keeps one that is open when its name is removed.
+class TranslatedFile {
+ public:
+  TranslatedFile(std::string text, const std::string& ending) : text_(std::move(text)) {
+    static std::atomic<unsigned> count{0};
+    path_ = "/vsimem/nightcity_table_" + std::to_string(++count) + ending;
+    auto* bytes = static_cast<GByte*>(CPLMalloc(text_.size() + 1));
+    std::copy(text_.begin(), text_.end(), bytes);
+    VSILFILE* file = VSIFileFromMemBuffer(path_.c_str(), bytes, text_.size(), TRUE);
+    if (file) VSIFCloseL(file);
+    text_ = {};
+  }
+  ~TranslatedFile() { VSIUnlink(path_.c_str()); }
+  TranslatedFile(const TranslatedFile&) = delete;
+  TranslatedFile& operator=(const TranslatedFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string text_, path_;
+};
+
+// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8; null for
+// others.
+std::unique_ptr<TranslatedFile> translate_wide_text(const std::filesystem::path& file,
+                                                    const std::string& ending) {
+  std::array<char, 8> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start)) return nullptr;
+  constexpr std::size_t most = std::size_t{1} << 30;
+  const std::array<std::string_view, 1> endings{ending};
+  const auto source = city::list_documents(file, endings).front().open();
+  std::string text;
+  for (std::size_t end = 0, size = 0;; end += size) {
+    text.resize(end + (std::size_t{1} << 16));
+    size = source->read(text.data() + end, text.size() - end);
+    if (size == 0) {
+      text.resize(end);
+      break;
+    }
+    if (end + size > most)
+      throw Error(file.string(), "is text in UTF-16 of more than 1 GB: save it in UTF-8");
+  }
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  return std::make_unique<TranslatedFile>(std::move(text), ending);
+}
+
+// Returns whether the first rows of a CSV have degrees and minutes in its columns of coordinates: the
+// driver, where it knows these columns, makes numbers of them and loses what is none.
+bool holds_angles(const std::string& path, const InventoryFile& inventory) {
+  const GDALDatasetUniquePtr dataset(GDALDataset::Open(
+      path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
+  if (!dataset || dataset->GetLayerCount() == 0) return false;
+  return TextPlaces(*dataset->GetLayer(0), inventory).begins_with_angles();
 }
 
 std::string list_layers(GDALDataset& dataset) {
@@ -83,12 +134,17 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
   // One object of GeoJSON may take so many MB: a lamp needs a kilobyte.
   CPLSetThreadLocalConfigOption("OGR_GEOJSON_MAX_OBJ_SIZE", "16");
   // The whole path, which no prefix of GDAL's own file systems can be.
-  const std::string path = std::filesystem::absolute(inventory.file).string();
+  std::string path = std::filesystem::absolute(inventory.file).string();
   CPLStringList options;
-  if (to_lower(inventory.file.extension().string()) == ".csv" ||
-      to_lower(inventory.file.extension().string()) == ".tsv") {
-    options.SetNameValue("X_POSSIBLE_NAMES", inventory.x.empty() ? x_names : inventory.x.c_str());
-    options.SetNameValue("Y_POSSIBLE_NAMES", inventory.y.empty() ? y_names : inventory.y.c_str());
+  std::unique_ptr<TranslatedFile> translated;
+  if (const std::string ending = to_lower(inventory.file.extension().string());
+      ending == ".csv" || ending == ".tsv") {
+    translated = translate_wide_text(inventory.file, ending);
+    if (translated) path = translated->path();
+    if (!holds_angles(path, inventory)) {
+      options.SetNameValue("X_POSSIBLE_NAMES", inventory.x.empty() ? x_names : inventory.x.c_str());
+      options.SetNameValue("Y_POSSIBLE_NAMES", inventory.y.empty() ? y_names : inventory.y.c_str());
+    }
     if (inventory.x.empty()) options.SetNameValue("GEOM_POSSIBLE_NAMES", geometry_names);
   }
   GDALDatasetUniquePtr dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,

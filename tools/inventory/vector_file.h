@@ -10,6 +10,18 @@
 
 namespace nightcity::inventory {
 
+/// Names of columns with coordinates that open portals use, as GDAL's CSV driver takes them.
+inline constexpr const char* x_names =
+    "lon,long,lng,longitude,x,x_coord,xcoord,coord_x,point_x,easting,laengengrad,längengrad,"
+    "geo_laenge,rechtswert,ostwert,longitud,longitudine,lengtegraad,x_wgs84,utm_x,utm_e,"
+    "lon (*,long (*,longitude (*,x (*,easting (*,lon [*,longitude [*,x [*,easting [*";
+inline constexpr const char* y_names =
+    "lat,latitude,y,y_coord,ycoord,coord_y,point_y,northing,breitengrad,geo_breite,hochwert,"
+    "nordwert,latitud,latitudine,breedtegraad,y_wgs84,utm_y,utm_n,"
+    "lat (*,latitude (*,y (*,northing (*,lat [*,latitude [*,y [*,northing [*";
+/// Columns with whole geometries, as text.
+inline constexpr const char* geometry_names = "wkt,the_geom,geom,geometry,wkt_geom,geo_shape";
+
 /// Opens the file. GDAL has drivers that are programs in all but name (VRT, WFS, databases), so
 /// only those whose file is the table itself may open it. Throws Error: missing, no regular file,
 /// packed, of no such format, broken.

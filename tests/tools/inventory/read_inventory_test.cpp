@@ -305,6 +305,100 @@ TEST(Inventory, StandsInPlaceOfTheMapsLampsNearby) {
   EXPECT_EQ(set.left_out.at("broken"), 1u);
 }
 
+// As spreadsheets save "Unicode text".
+TEST(Inventory, TablesInUtf16AreRead) {
+  const TempFolder folder;
+  const std::u16string text = u"lon\tlat\tlamp_type\n13.4\t52.5\tled \u00e9\U0001F4A1\n";
+  for (const bool big : {false, true}) {
+    std::string bytes = big ? "\xfe\xff" : "\xff\xfe";
+    for (const char16_t c : text) {
+      const char low = static_cast<char>(c & 0xff), high = static_cast<char>(c >> 8);
+      bytes += big ? high : low;
+      bytes += big ? low : high;
+    }
+    write_text(folder / "lamps.tsv", bytes);
+    InventoryFile file;
+    file.file = folder / "lamps.tsv";
+    file.crs = "EPSG:4326";
+    file.columns = {{"type", "lamp_type"}};
+    for (int again = 0; again < 2; ++again) {
+      const Inventory read = read_inventory(file);
+      ASSERT_EQ(read.lamps.size(), 1u);
+      EXPECT_EQ(read.lamps[0].lon_lat, glm::dvec2(13.4, 52.5));
+      EXPECT_EQ(read.lamps[0].tags.at("lamp_type"), "led \u00e9\U0001F4A1");
+    }
+    EXPECT_TRUE(look_at_table(file.file).has_points);
+  }
+}
+
+TEST(Inventory, DegreesMinutesAndSecondsAreRead) {
+  const TempFolder folder;
+  write_text(
+      folder / "lamps.csv",
+      "lon;lat\n\"13\u00b024'18\"\"E\";\"52\u00b031'12.5\"\"N\"\n13 24.3 W;-52:31:12,5\n13.4;52.5\n"
+      "13\u00b024'18\"O;52\u00b031'N\n");
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  file.crs = "EPSG:4326";
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 3u);
+  const double lon = 13 + 24 / 60.0 + 18 / 3600.0, lat = 52 + 31 / 60.0 + 12.5 / 3600;
+  EXPECT_NEAR(read.lamps[0].lon_lat.x, lon, 1e-12);
+  EXPECT_NEAR(read.lamps[0].lon_lat.y, lat, 1e-12);
+  EXPECT_NEAR(read.lamps[1].lon_lat.x, -lon, 1e-12);
+  EXPECT_NEAR(read.lamps[1].lon_lat.y, -lat, 1e-12);
+  EXPECT_EQ(read.report.skipped.at("without a place"), 1u) << "an O is east or west";
+  EXPECT_TRUE(look_at_table(file.file).has_points);
+  file.crs = "EPSG:25833";
+  const auto error = error_of([&] { read_inventory(file); });
+  EXPECT_NE(error.find("degrees"), std::string::npos) << error;
+  // Both in one column, in either order.
+  for (const char* text :
+       {"52\u00b031'12.5\"N 13\u00b024'18\"E", "E13\u00b024'18\" N52\u00b031'12.5\"",
+        "52\u00b031'12,5\"N, 13\u00b024'18,0\"E", "52 31 12.5, 13 24 18"}) {
+    std::string quoted;
+    for (const char c : std::string_view(text)) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    write_text(folder / "one.csv", "id,location\n1,\"" + quoted + "\"\n");
+    file = {};
+    file.file = folder / "one.csv";
+    file.crs = "EPSG:4326";
+    const Inventory one = read_inventory(file);
+    ASSERT_EQ(one.lamps.size(), 1u) << text;
+    EXPECT_NEAR(one.lamps[0].lon_lat.x, lon, 1e-12) << text;
+    EXPECT_NEAR(one.lamps[0].lon_lat.y, lat, 1e-12) << text;
+  }
+}
+
+TEST(Inventory, GeometriesOfPostgisNameTheirCrs) {
+  const TempFolder folder;
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  write_text(
+      file.file,
+      "id,geom\n1,\n2,SRID=25833;POINT(391000 5819000)\n3,srid=25833; POINT Z(391010 5819000 "
+      "35)\n4,SRID=25833;LINESTRING(0 0,1 1)\n5,SRID=25833;nonsense\n");
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 2u);
+  // Krueger's series for UTM.
+  EXPECT_NEAR(read.lamps[0].lon_lat.x, 13.3938713, 1e-6);
+  EXPECT_NEAR(read.lamps[0].lon_lat.y, 52.5102096, 1e-6);
+  EXPECT_NEAR((read.lamps[1].lon_lat.x - read.lamps[0].lon_lat.x) * 111320 *
+                  std::cos(52.51 * 0.017453292519943295),
+              10, 0.05);
+  EXPECT_EQ(look_at_table(file.file).crs, "EPSG:25833");
+  EXPECT_TRUE(look_at_table(file.file).has_points);
+  write_text(file.file,
+             "id,geom\n1,SRID=4326;POINT(13.4 52.5)\n2,SRID=25833;POINT(391000 5819000)\n");
+  const auto error = error_of([&] { read_inventory(file); });
+  EXPECT_NE(error.find("several CRSs (EPSG:4326, and EPSG:25833 in row 2)"), std::string::npos)
+      << error;
+  // Hexadecimal EWKB, as PostGIS prints its columns.
+  write_text(file.file, "id,geom\n1,0101000020E6100000CDCCCCCCCCCC2A400000000000404A40\n");
+  const Inventory hex = read_inventory(file);
+  ASSERT_EQ(hex.lamps.size(), 1u);
+  EXPECT_NEAR(hex.lamps[0].lon_lat.x, 13.4, 1e-12);
+}
+
 TEST(Inventory, WhatCannotBeReadIsAnErrorWithARemedy) {
   const TempFolder folder;
   const auto error = [&](const std::string& name, const std::string& text) {
@@ -341,7 +435,8 @@ TEST(Inventory, WhatCannotBeReadIsAnErrorWithARemedy) {
                                               8));
   file = {};
   file.file = folder / "wide.csv";
-  EXPECT_NE(error_of([&] { read_inventory(file); }).find("UTF-16"), std::string::npos)
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("its columns are \"a\", \"b\""),
+            std::string::npos)
       << error_of([&] { read_inventory(file); });
   write_text(folder / "areas.geojson",
              R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},

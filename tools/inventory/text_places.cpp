@@ -1,0 +1,132 @@
+#include "tools/inventory/text_places.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include "formats/error.h"
+#include "formats/to_lower.h"
+#include "tools/city/attributes.h"
+#include "tools/city/text_encoding.h"
+#include "tools/inventory/degrees_text.h"
+#include "tools/inventory/vector_file.h"
+
+namespace nightcity::inventory {
+namespace {
+
+// Returns the first column with one of the names, best first, of which some end in '*'; -1 without.
+int find_column_among(OGRLayer& layer, std::string_view names) {
+  OGRFeatureDefn& columns = *layer.GetLayerDefn();
+  while (!names.empty()) {
+    const std::size_t comma = std::min(names.find(','), names.size());
+    std::string wanted = to_lower(names.substr(0, comma));
+    names.remove_prefix(std::min(comma + 1, names.size()));
+    const bool is_start = wanted.ends_with('*');
+    if (is_start) wanted.pop_back();
+    for (int i = 0; i < columns.GetFieldCount(); ++i) {
+      const std::string name = to_lower(city::decode_text(columns.GetFieldDefn(i)->GetNameRef()));
+      if (is_start ? name.starts_with(wanted) : name == wanted) return i;
+    }
+  }
+  return -1;
+}
+
+// Splits "SRID=4326;POINT(13.4 52.5)"; the number is 0 where the text is no such.
+std::pair<int, std::string_view> split_srid(std::string_view text) {
+  constexpr std::string_view start = "srid=";
+  text = city::trim(text);
+  if (to_lower(text.substr(0, start.size())) != start) return {0, {}};
+  text.remove_prefix(start.size());
+  int srid = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), srid);
+  const std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  if (error != std::errc() || srid <= 0 || !rest.starts_with(';')) return {0, {}};
+  return {srid, city::trim(rest.substr(1))};
+}
+
+// Returns the number of the CRS in PostGIS' binary geometries, of which GDAL reads the places alone:
+// in hexadecimal digits the order of bytes, the kind with a flag for such a number, the number. 0
+// where there is none.
+int find_binary_srid(std::string_view text) {
+  constexpr std::uint32_t has_srid = 0x20000000;
+  constexpr std::size_t digits = 18;
+  text = city::trim(text);
+  std::array<std::uint32_t, digits / 2> bytes{};
+  if (text.size() < digits) return 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const char* const first = text.data() + 2 * i;
+    const auto [end, error] = std::from_chars(first, first + 2, bytes[i], 16);
+    if (error != std::errc() || end != first + 2) return 0;
+  }
+  if (bytes[0] > 1) return 0;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value |= bytes[at + i] << (8 * (bytes[0] == 1 ? i : 3 - i));
+    return value;
+  };
+  constexpr std::uint32_t most = 1'000'000;
+  return (number(1) & has_srid) != 0 && number(5) <= most ? static_cast<int>(number(5)) : 0;
+}
+
+}  // namespace
+
+TextPlaces::TextPlaces(OGRLayer& layer, const InventoryFile& inventory)
+    : file_(inventory.file.string()),
+      x_(find_column_among(layer, inventory.x.empty() ? x_names : inventory.x)),
+      y_(find_column_among(layer, inventory.y.empty() ? y_names : inventory.y)),
+      geometry_(find_column_among(layer, geometry_names)) {
+  // The first may have no place.
+  constexpr int first_rows = 100;
+  layer.ResetReading();
+  for (int i = 0; i < first_rows; ++i) {
+    const OGRFeatureUniquePtr row(layer.GetNextFeature());
+    if (!row) break;
+    look_at(*row);
+  }
+  layer.ResetReading();
+}
+
+void TextPlaces::look_at(const OGRFeature& row) {
+  if (geometry_ >= 0 && crs_.empty()) {
+    const std::string text = text_of(row, geometry_);
+    const int srid = split_srid(text).first, binary = find_binary_srid(text);
+    if (srid != 0 || binary != 0) crs_ = "EPSG:" + std::to_string(srid != 0 ? srid : binary);
+  }
+  if (!has_columns()) return;
+  for (const int column : {x_, y_}) {
+    const std::string text = text_of(row, column);
+    const bool is_plain = text.find_first_not_of("0123456789.,+-eE \t") == std::string::npos;
+    begins_with_angles_ = begins_with_angles_ || (!is_plain && parse_angle(text));
+  }
+}
+
+OGRGeometryUniquePtr TextPlaces::read_geometry(const OGRFeature& row) const {
+  if (geometry_ < 0) return {};
+  const std::string text = text_of(row, geometry_);
+  const auto [srid, geometry] = split_srid(text);
+  if (srid == 0) return {};
+  if (const std::string crs = "EPSG:" + std::to_string(srid); crs != crs_)
+    throw Error(file_, "has geometries in several CRSs (" + crs_ + ", and " + crs + " in row " +
+                           std::to_string(row.GetFID()) +
+                           "): make a file for each, and a row of [[lamps.inventories]]");
+  OGRGeometry* made = nullptr;
+  OGRGeometryFactory::createFromWkt(std::string(geometry).c_str(), nullptr, &made);
+  return OGRGeometryUniquePtr(made);
+}
+
+std::optional<glm::dvec2> TextPlaces::read_lon_lat(const OGRFeature& row) const {
+  if (x_ < 0 || y_ < 0) return {};
+  const auto x = parse_angle(text_of(row, x_)), y = parse_angle(text_of(row, y_));
+  if (!x || !y || (x->axis == y->axis && x->axis != Angle::Axis::unknown)) return {};
+  const bool turned = x->axis == Angle::Axis::latitude || y->axis == Angle::Axis::longitude;
+  return turned ? glm::dvec2(y->degrees, x->degrees) : glm::dvec2(x->degrees, y->degrees);
+}
+
+std::string TextPlaces::text_of(const OGRFeature& row, int column) const {
+  return city::decode_text(row.GetFieldAsString(column));
+}
+
+}  // namespace nightcity::inventory

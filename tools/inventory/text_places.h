@@ -1,0 +1,43 @@
+// Places that a table holds as texts which GDAL does not read.
+#pragma once
+
+#include <ogrsf_frmts.h>
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
+#include "tools/inventory/inventory.h"
+
+namespace nightcity::inventory {
+
+/// Reads places of rows without a geometry: degrees, minutes and seconds in two columns, and
+/// geometries with their CRS before them ("SRID=4326;POINT(13.4 52.5)", PostGIS' EWKT).
+class TextPlaces {
+ public:
+  TextPlaces(OGRLayer& layer, const InventoryFile& inventory);
+
+  /// Returns the CRS of the first geometry that names one, as "EPSG:4326"; "" where none does.
+  const std::string& crs() const { return crs_; }
+
+  /// Returns whether there are columns for two coordinates.
+  bool has_columns() const { return x_ >= 0 && y_ >= 0; }
+  /// Returns whether one of the first 100 rows has angles there that are no plain numbers.
+  bool begins_with_angles() const { return begins_with_angles_; }
+
+  /// Returns the geometry of a row by its EWKT, null without. Throws Error where that names another
+  /// CRS than the first.
+  OGRGeometryUniquePtr read_geometry(const OGRFeature& row) const;
+  /// Returns longitude and latitude of a row by two columns with angles.
+  std::optional<glm::dvec2> read_lon_lat(const OGRFeature& row) const;
+
+ private:
+  void look_at(const OGRFeature& row);
+  std::string text_of(const OGRFeature& row, int column) const;
+
+  std::string file_, crs_;
+  int x_ = -1, y_ = -1, geometry_ = -1;  // columns
+  bool begins_with_angles_ = false;
+};
+
+}  // namespace nightcity::inventory
