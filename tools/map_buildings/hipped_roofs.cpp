@@ -25,7 +25,7 @@ std::optional<Corners> find_corners(const Ring2& ring) {
   return corners;
 }
 
-// Of the sides 1 and 3.
+// Returns the mean length of the sides 1 and 3, m.
 double find_mean_width(const Corners& c) {
   return (glm::distance(c[1], c[2]) + glm::distance(c[3], c[0])) / 2;
 }

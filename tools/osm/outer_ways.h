@@ -20,7 +20,7 @@ namespace nightcity::osm {
 /// the tags of its outer ways count (OSM wiki, "Relation:multipolygon", old style).
 bool is_untagged_multipolygon(const osmium::Relation& relation);
 
-/// What its outer ways say about a multipolygon, ring by ring in the order of the area's rings.
+/// A ring of a multipolygon with what its outer ways say about it, in the order of the area's rings.
 struct OuterRing {
   OsmTags tags;              // that are selected, of all its ways; those of the relation added
   std::int64_t own_way = 0;  // the closed way that is the ring; 0: it has several
