@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
 
 #include "runtime/gpu/device.h"
@@ -25,9 +26,10 @@ inline gpu::Device& test_device() {
   return device;
 }
 
-/// Returns the compiled passes, which all tests of a program share: compiling takes a while.
+/// Returns the compiled passes, which all tests of a program share: compiling takes a while, so all
+/// are kept.
 inline render::PassLibrary& test_passes() {
-  static render::PassLibrary passes(test_device());
+  static render::PassLibrary passes(test_device(), SIZE_MAX);
   return passes;
 }
 
