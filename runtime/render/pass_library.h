@@ -44,8 +44,10 @@ struct DisplayPasses {
 class PassLibrary {
  public:
   /// The device must outlive the library. `kept`: so many sets of passes, those that were asked for
-  /// last, stay compiled although nobody holds them: on a CPU driver each takes some 70 MB.
-  explicit PassLibrary(gpu::Device& device, std::size_t kept = 8) : device_(device), kept_(kept) {}
+  /// last, stay compiled although nobody holds them: on a CPU driver each takes some 70 MB, and as
+  /// many are needed by turns where settings are compared.
+  explicit PassLibrary(gpu::Device& device, std::size_t kept = SIZE_MAX)
+      : device_(device), kept_(kept) {}
 
   /// Returns the passes for these constants, compiled where they are not kept. Who uses the result
   /// on the device holds it until the device is done.

@@ -32,7 +32,7 @@ enum class Beside {
 class Workbench {
  public:
   /// The device must outlive the object.
-  explicit Workbench(gpu::Device& device) : device_(device), passes_(device) {}
+  explicit Workbench(gpu::Device& device) : device_(device), passes_(device, kept_sets) {}
 
   /// Takes a city that is being read, unless another one is.
   void open(std::unique_ptr<Opening> opening);
@@ -85,6 +85,9 @@ class Workbench {
 
  private:
   LivePicture& choose(const Views& views, double now_s);
+
+  // A window is open for long, and every choice of settings compiles a set of passes.
+  static constexpr std::size_t kept_sets = 8;
 
   gpu::Device& device_;
   render::PassLibrary passes_;

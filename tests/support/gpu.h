@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <cstdlib>
 
 #include "runtime/gpu/device.h"
@@ -26,10 +25,9 @@ inline gpu::Device& test_device() {
   return device;
 }
 
-/// Returns the compiled passes, which all tests of a program share: compiling takes a while, so all
-/// are kept.
+/// Returns the compiled passes, which all tests of a program share: compiling takes a while.
 inline render::PassLibrary& test_passes() {
-  static render::PassLibrary passes(test_device(), SIZE_MAX);
+  static render::PassLibrary passes(test_device());
   return passes;
 }
 
