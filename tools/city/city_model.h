@@ -63,6 +63,8 @@ struct Polygon {
   std::optional<glm::vec3> diffuse_colour;  // sRGB as in the file
   /// Code of the traffic area that the polygon lies in; 0 = none, or the file's code is no number.
   std::uint16_t area_function = 0;
+  /// Tells polygons with a picture apart while an object is prepared (PictureLayout); 0: none.
+  std::uint32_t picture_number = 0;
   /// The coordinate reference system that the polygon's coordinates have, where it is another than
   /// ReadOptions::srs_name; null elsewhere.
   std::shared_ptr<const std::string> srs_name{};

@@ -33,8 +33,8 @@ std::string first_of(std::span<const glm::dvec3> sample) {
 
 struct CityFrame::State {
   std::unique_ptr<SourceCrs> source;  // null: no CRS
-  /// A projected CRS whose metres are none at the city (Pseudo-Mercator): coordinates of the file
-  /// go through it into degrees of `source`. Null for all others.
+  /// A projected CRS whose metres or north are none at the city (Pseudo-Mercator, grids round a
+  /// pole): coordinates of the file go through it into degrees of `source`. Null for all others.
   std::unique_ptr<SourceCrs> stretched;
   AxisOrder order{false, 1};
   double unit = 1, height_unit = 1;    // source units to metres
@@ -71,24 +71,35 @@ void CityFrame::State::place_by(std::span<const ControlPoint> points) {
   description += text;
 }
 
-// Replaces a projected CRS by its geographic one where its grid is longer or shorter than
-// the ground by more than a hundredth. Map grids for surveying stay below 0.005;
-// Pseudo-Mercator (EPSG:3857) is
-// 1.52 times too large at 49 degrees north.
+// Replaces a projected CRS by its geographic one where its grid is longer or shorter than the
+// ground by more than a hundredth, or its north far from the true one. Map grids for surveying stay
+// below 0.005; Pseudo-Mercator (EPSG:3857) is 1.52 times too large at 49 degrees north. The north
+// of a grid round a pole is none: EPSG:3413 is turned by 61 degrees on Spitsbergen, and 1.9 % too
+// small there. Conic grids of large countries are turned by up to 40 degrees at their ends.
 void CityFrame::State::leave_stretched_grid(const glm::dvec2& centre) {
-  constexpr double max_stretch = 0.01;
+  constexpr double max_stretch = 0.01, max_turn_degrees = 45;
   if (source->geographic() || !std::isfinite(centre.x) || !std::isfinite(centre.y)) return;
-  const double scale = source->scale_at(centre);
-  if (!std::isfinite(scale) || std::abs(scale - 1) <= max_stretch) return;
+  const SourceCrs::LocalGrid grid = source->find_grid(centre);
+  if (!std::isfinite(grid.scale)) return;
+  const bool is_turned = source->is_polar() || std::abs(grid.turn_degrees) > max_turn_degrees;
+  if (!is_turned && std::abs(grid.scale - 1) <= max_stretch) return;
   std::string why;
   std::unique_ptr<SourceCrs> degrees = SourceCrs::create(source->base_definition(), why);
   if (!degrees) throw Error("", source->name() + " has no geographic CRS below it: " + why);
   height_unit = source->height_unit_to_metre();
   stretched = std::move(source);
   source = std::move(degrees);
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "; no metric grid (%.4g times too large here), so turned into degrees", scale);
+  char text[160];
+  if (is_turned)
+    std::snprintf(
+        text, sizeof text,
+        "; a grid whose north is none here (turned by %.1f degrees, %.4g times too large), "
+        "so turned into degrees",
+        grid.turn_degrees, grid.scale);
+  else
+    std::snprintf(text, sizeof text,
+                  "; no metric grid (%.4g times too large here), so turned into degrees",
+                  grid.scale);
   description += text;
 }
 

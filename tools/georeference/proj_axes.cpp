@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 namespace nightcity::georeference {
@@ -34,8 +35,38 @@ std::optional<ProjAxes> ProjAxes::read(PJ_CONTEXT* context, const PJ* crs) {
       have_north = true;
     }
   }
-  if (!have_east || !have_north) return {};
-  return axes;
+  if (have_east && have_north) return axes;
+  if (is_geographic(crs)) return {};
+  return read_polar(context, system.get());
+}
+
+// Both axes begin at a pole and point the same way, along two meridians. Seen from above, the
+// register's northings lie a quarter turn anticlockwise from its eastings at either pole.
+std::optional<ProjAxes> ProjAxes::read_polar(PJ_CONTEXT* context, const PJ* system) {
+  ProjAxes axes;
+  axes.is_polar = true;
+  int eastings = 0, northings = 0;
+  std::string first_direction;
+  for (int i = 0; i < 2; ++i) {
+    const char *name = nullptr, *direction = nullptr;
+    double factor = 1;
+    proj_cs_get_axis_info(context, system, i, &name, nullptr, &direction, &factor, nullptr, nullptr,
+                          nullptr);
+    const std::string_view n = name ? name : "", d = direction ? direction : "";
+    if (d != "north" && d != "south") return {};
+    if (i == 0) first_direction = d;
+    if (first_direction != d) return {};
+    if (n.starts_with("Easting")) {
+      ++eastings;
+      axes.east_axis = i;
+      axes.east_scale = factor;
+    } else if (n.starts_with("Northing")) {
+      ++northings;
+      axes.north_axis = i;
+      axes.north_scale = factor;
+    }
+  }
+  return eastings == 1 && northings == 1 ? std::optional(axes) : std::nullopt;
 }
 
 PJ_COORD ProjAxes::to_native(const glm::dvec2& p) const {

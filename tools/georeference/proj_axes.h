@@ -23,13 +23,19 @@ struct ProjAxes {
   int east_axis = 0, north_axis = 1;
   /// Metres or degrees per unit; negative for axes that point west or south.
   double east_scale = 1, north_scale = 1;
+  /// The grid is laid round a pole: its eastings and northings are names, and no directions.
+  bool is_polar = false;
 
   PJ_COORD to_native(const glm::dvec2& east_north) const;
   /// NaN where PROJ had no answer.
   glm::dvec2 from_native(const PJ_COORD& native) const;
 
-  /// Returns none when the axes do not point east or west and north or south.
+  /// Returns none when the axes do not point east or west and north or south, and are none of a
+  /// grid round a pole either.
   static std::optional<ProjAxes> read(PJ_CONTEXT* context, const PJ* crs);
+
+ private:
+  static std::optional<ProjAxes> read_polar(PJ_CONTEXT* context, const PJ* system);
 };
 
 bool is_geographic(const PJ* crs);

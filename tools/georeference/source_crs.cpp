@@ -210,9 +210,13 @@ std::string SourceCrs::base_definition() const {
   return text ? text : "";
 }
 
-double SourceCrs::scale_at(const glm::dvec2& lon_lat) const {
+bool SourceCrs::is_polar() const {
+  return state_->axes.is_polar;
+}
+
+SourceCrs::LocalGrid SourceCrs::find_grid(const glm::dvec2& lon_lat) const {
   const State& s = *state_;
-  if (s.geographic) return 1;
+  if (s.geographic) return {};
   constexpr double step_m = 100;
   const LocalMercator ground(s.semi_major, s.inverse_flattening, lon_lat);
   const auto on_grid = [&](const glm::dvec2& metres) {
@@ -221,8 +225,10 @@ double SourceCrs::scale_at(const glm::dvec2& lon_lat) const {
   };
   const glm::dvec2 origin = on_grid({0, 0});
   const double east = glm::distance(on_grid({step_m, 0}), origin);
-  const double north = glm::distance(on_grid({0, step_m}), origin);
-  return (east + north) / (2 * step_m);
+  const glm::dvec2 north = on_grid({0, step_m}) - origin;
+  constexpr double degrees_per_radian = 57.29577951308232;
+  return {(east + glm::length(north)) / (2 * step_m),
+          std::atan2(north.x, north.y) * degrees_per_radian};
 }
 
 bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) const {

@@ -31,9 +31,15 @@ class SourceCrs {
   const std::string& area_name() const;
   /// Returns what PROJ makes the geographic CRS below a projected one of.
   std::string base_definition() const;
-  /// Returns the length on the grid of a projected CRS of one metre on the ground at a place
-  /// (degrees of the CRS's own datum), the mean of both axes; NaN where PROJ has no answer.
-  double scale_at(const glm::dvec2& lon_lat) const;
+  /// A projected CRS's grid at a place.
+  struct LocalGrid {
+    double scale = 1;         // its length of one metre on the ground, the mean of both axes
+    double turn_degrees = 0;  // of its north from the true one, anticlockwise
+  };
+  /// Returns the grid at a place (degrees of the CRS's own datum); NaN where PROJ has no answer.
+  LocalGrid find_grid(const glm::dvec2& lon_lat) const;
+  /// Returns whether the grid is laid round a pole, so that its north is none.
+  bool is_polar() const;
 
   /// WGS 84 degrees to (east, north) in metres or (longitude, latitude) in degrees of this CRS, and
   /// back. NaN where PROJ has no answer.

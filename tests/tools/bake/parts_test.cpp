@@ -205,6 +205,24 @@ TEST_F(SmallTown, APartIsMadeOnceAndAgainWhenSomethingHasChanged) {
   EXPECT_TRUE(make_part(recipe_, 1, 2, out_).was_done);
 }
 
+TEST_F(SmallTown, APartIsMadeAgainWhenAPictureBesideTheModelHasChanged) {
+  const auto recipe = [&](const char* name, const std::string& textures) {
+    write(folder_ / name, "[city]\nfiles = [\"town.gml\"]\n" + textures);
+    return folder_ / name;
+  };
+  const fs::path with = recipe("with.toml", "textures = \"atlas\"\n"),
+                 without = recipe("without.toml", "");
+  fs::create_directory(folder_ / "appearance");
+  write(folder_ / "appearance" / "wall.JPG", "one");
+  EXPECT_FALSE(make_part(with, 1, 2, folder_ / "a").was_done);
+  EXPECT_FALSE(make_part(without, 1, 2, folder_ / "b").was_done);
+  EXPECT_TRUE(make_part(with, 1, 2, folder_ / "a").was_done);
+  write(folder_ / "appearance" / "wall.JPG", "another");
+  EXPECT_FALSE(make_part(with, 1, 2, folder_ / "a").was_done);
+  EXPECT_TRUE(make_part(without, 1, 2, folder_ / "b").was_done) << "it reads no pictures";
+  EXPECT_TRUE(make_part(with, 1, 2, folder_ / "a").was_done);
+}
+
 TEST_F(SmallTown, MissingAndDamagedPartsAreNamed) {
   expect_merge_refuses({folder_.path()}, "no part of a bake");
   make_part(recipe_, 1, 3, out_);

@@ -174,6 +174,51 @@ TEST(Frame, ShapesPlacedInPseudoMercatorAreMetres) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(shape[axis][axis] - anchor[axis], 1, 1e-6);
 }
 
+// Polar stereographic (Snyder 1987, equations 15-9, 21-33 and 21-34) on the ellipsoid of WGS 84,
+// with scale 1 at a latitude; northern aspect, degrees.
+glm::dvec2 to_polar(const glm::dvec2& lon_lat, double true_latitude, double central_meridian) {
+  constexpr double a = 6378137, f = 1 / 298.257223563, degree = M_PI / 180;
+  const double e = std::sqrt(f * (2 - f));
+  const auto t = [&](double lat) {
+    const double s = std::sin(lat * degree);
+    return std::tan(M_PI / 4 - lat * degree / 2) / std::pow((1 - e * s) / (1 + e * s), e / 2);
+  };
+  const double s = std::sin(true_latitude * degree);
+  const double m = std::cos(true_latitude * degree) / std::sqrt(1 - e * e * s * s);
+  const double rho = a * m * t(lon_lat.y) / t(true_latitude);
+  const double angle = (lon_lat.x - central_meridian) * degree;
+  return {rho * std::sin(angle), -rho * std::cos(angle)};
+}
+
+TEST(Frame, GridsRoundAPoleBecomeMetresWithTrueNorth) {
+  const glm::dvec2 place(15.64, 78.22);  // Longyearbyen
+  // 100 m to the east and to the north, by the radii of the ellipsoid there.
+  constexpr double a = 6378137, e2 = 0.00669437999014, degree = M_PI / 180;
+  const double s = std::sin(place.y * degree), w = std::sqrt(1 - e2 * s * s);
+  const glm::dvec2 east(place.x + 100 / (a / w * std::cos(place.y * degree)) / degree, place.y),
+      north(place.x, place.y + 100 / (a * (1 - e2) / (w * w * w)) / degree);
+  for (const auto& [name, latitude, meridian] :
+       {std::tuple("EPSG:3413", 70.0, -45.0), std::tuple("urn:ogc:def:crs:EPSG::3413", 70.0, -45.0),
+        std::tuple("EPSG:3995", 71.0, 0.0)}) {
+    const auto at = [&, latitude = latitude, meridian = meridian](const glm::dvec2& p) {
+      return glm::dvec3(to_polar(p, latitude, meridian), 10);
+    };
+    const CityFrame frame = frame_of(name, {at(place)});
+    const glm::dvec3 origin = project(frame, at(place));
+    expect_near(glm::dvec2(project(frame, at(east)) - origin), {100, 0}, 0.02);
+    expect_near(glm::dvec2(project(frame, at(north)) - origin), {0, 100}, 0.02);
+    expect_near(frame.to_lon_lat(glm::dvec2(origin)), place, 1e-8);
+    expect_near(frame.from_lon_lat(place), glm::dvec2(origin), 1e-3);
+    EXPECT_NE(frame.description().find("north is none"), std::string::npos);
+  }
+  // The southern one, by symmetry: x and y are those of the north with latitude and y negated.
+  const glm::dvec2 base(166.67, -77.85);  // McMurdo
+  const glm::dvec2 mirrored = to_polar({base.x, -base.y}, 71, 0);
+  const CityFrame south = frame_of("EPSG:3031", {{mirrored.x, -mirrored.y, 10}});
+  expect_near(south.to_lon_lat(glm::dvec2(project(south, {mirrored.x, -mirrored.y, 10}))), base,
+              1e-8);
+}
+
 // At longitude and latitude 0 the second axis through the earth's centre points east.
 TEST(Frame, TheShiftThatADefinitionStatesIsTaken) {
   const CityFrame frame = frame_of(

@@ -283,6 +283,58 @@ TEST(MapBuildings, CourtyardsOfMultipolygonsWhoseOuterWaySaysWhatTheyAre) {
   expect_near(volume(result.objects[0]), 600 * 10);
 }
 
+TEST(MapBuildings, EachRingOfAnUntaggedMultipolygonHasItsOwnTags) {
+  // Two houses in one relation, the second with a courtyard; a bare way; a part below a building.
+  const auto relation = [](std::initializer_list<std::pair<int, const char*>> members,
+                           const char* tags) {
+    std::string text = "<relation id=\"900\" version=\"1\">";
+    for (const auto& [way, role] : members)
+      text += "<member type=\"way\" ref=\"" + std::to_string(way) + "\" role=\"" + role + "\"/>";
+    return text + "<tag k=\"type\" v=\"multipolygon\"/>" + tags + "</relation></osm>";
+  };
+  const auto read_with = [](const Map& map, const std::string& more) {
+    std::string text = map.text();
+    text.replace(text.find("</osm>"), 6, more);
+    const TemporaryFile file(text, ".osm");
+    std::map<std::string, double> volumes;
+    const city::ObjectSink sink = [&](city::CityObject&& o) { volumes[o.id] = volume(o); };
+    read_map_buildings(file.path(), {}, city::deliver_to(sink));
+    return volumes;
+  };
+  Map map;
+  const int a = map.add_rectangle(0, 0, 10, 10, "building=yes,height=10"),
+            b = map.add_rectangle(50, 0, 30, 20, "building=yes,height=20"),
+            hole = map.add_rectangle(60, 5, 10, 10, ""),
+            bare = map.add_rectangle(100, 0, 10, 10, "");
+  const std::string first = "way/" + std::to_string(a), second = "way/" + std::to_string(b);
+  for (const char* role : {"outer", ""}) {
+    const char* inner = *role ? "inner" : "";
+    const auto volumes =
+        read_with(map, relation({{a, role}, {b, role}, {hole, inner}, {bare, role}},
+                                "<tag k=\"source\" v=\"survey\"/>"));
+    ASSERT_EQ(volumes.size(), 2u) << role;
+    expect_near(volumes.at(first), 1000);
+    expect_near(volumes.at(second), (600 - 100) * 20);
+  }
+  // Tags of the relation that say nothing about what it is belong to its rings.
+  expect_near(
+      read_with(map, relation({{b, "outer"}, {hole, "inner"}}, "<tag k=\"min_height\" v=\"5\"/>"))
+          .at(second),
+      (600 - 100) * 15);
+  // A member that is not there: the way stands as it is.
+  expect_near(read_with(map, relation({{b, "outer"}, {777, "inner"}}, "")).at(second), 600 * 20);
+  // Not a multipolygon.
+  std::string site = relation({{b, "outer"}, {hole, "inner"}}, "");
+  site.replace(site.find("multipolygon"), 12, "site");
+  expect_near(read_with(map, site).at(second), 600 * 20);
+  // The way says more than the relation, which counts where both speak.
+  const auto both = read_with(map, relation({{b, "outer"}, {hole, "inner"}},
+                                            "<tag k=\"building\" v=\"church\"/>"
+                                            "<tag k=\"height\" v=\"30\"/>"));
+  expect_near(both.at("relation/900"), (600 - 100) * 30);
+  EXPECT_FALSE(both.contains(second));
+}
+
 TEST(MapBuildings, AnOutlineCutIntoTaggedWaysIsOneBuilding) {
   const std::string nodes =
       "<node id='1' lat='0' lon='10'/><node id='2' lat='0' lon='10.0003'/>"

@@ -221,6 +221,60 @@ TEST(Roofs, OtherOutlinesGetWhatFitsThem) {
   expect_shell(hexagon, sizes(RoofShape::pyramidal), 12 * 5 + 12 * 3 / 3.0);
 }
 
+// A turned, shifted and skewed outline has the volume of a prism's share, and nothing of it lies
+// above the top or below the eaves but walls.
+TEST(Roofs, ShapesKeepTheirShareOfThePrismWhereverTheRectangleLies) {
+  const double share = std::sqrt(0.5);
+  const std::pair<RoofShape, double> shapes[] = {
+      {RoofShape::gabled, 0.5},
+      {RoofShape::gambrel, share},
+      {RoofShape::saltbox, 0.25 + 1 / 3.0},
+  };
+  for (const auto& [roof, part] : shapes)
+    for (const double size : {0.5, 1.0, 30.0})
+      for (int step = 0; step < 12; ++step) {
+        const double angle = 0.1 + step * std::numbers::pi / 6;
+        const glm::dvec2 u(std::cos(angle), std::sin(angle)), v(-u.y, u.x), corner(-300, 70);
+        Outline outline;
+        for (const glm::dvec2 c : {glm::dvec2(0, 0), {10, 0}, {10, 6}, {0, 6}})
+          outline.outer.push_back(corner + size * (c.x * u + c.y * v));
+        // A vertex in a long side, as a neighbour's corner sets it.
+        outline.outer.insert(outline.outer.begin() + 1, corner + size * 3.7 * u);
+        bool flat = false;
+        const auto shell = make_shell(outline, sizes(roof), flat);
+        EXPECT_FALSE(flat);
+        EXPECT_TRUE(is_closed(shell));
+        const double area = 60 * size * size;
+        EXPECT_NEAR(volume(shell), area * (5 + 3 * part), 1e-6 * area * 10) << step;
+      }
+}
+
+TEST(Roofs, WhatDoesNotFitIsFlatAndClosed) {
+  const Outline outlines[] = {
+      // A comb, whose teeth every line across cuts several times.
+      {{{0, 0}, {9, 0}, {9, 6}, {8, 6}, {8, 1}, {7, 1}, {7, 6}, {6, 6}, {6, 1}, {5, 1},
+        {5, 6}, {4, 6}, {4, 1}, {3, 1}, {3, 6}, {2, 6}, {2, 1}, {1, 1}, {1, 6}, {0, 6}},
+       {}},
+      {{{0, 0}, {1e-7, 0}, {1e-7, 1e-7}}, {}},
+      {{{0, 0}, {10, 0}, {10, 0}, {10, 6}}, {}},
+      {{{0, 0}, {5, 0}, {10, 0}}, {}},
+  };
+  for (const Outline& outline : outlines)
+    for (const RoofShape roof :
+         {RoofShape::gabled, RoofShape::gambrel, RoofShape::round, RoofShape::saltbox,
+          RoofShape::hipped, RoofShape::half_hipped, RoofShape::mansard, RoofShape::pyramidal,
+          RoofShape::dome, RoofShape::onion, RoofShape::skillion}) {
+      BuildingSizes s = sizes(roof);
+      fit_slope(outline, s);
+      bool flat = false;
+      const auto shell = make_shell(outline, s, flat);
+      EXPECT_TRUE(is_closed(shell)) << int(roof) << " " << outline.outer.size();
+      for (const city::Polygon& polygon : shell)
+        for (const glm::dvec3& p : polygon.exterior)
+          EXPECT_TRUE(std::isfinite(p.x + p.y + p.z)) << int(roof);
+    }
+}
+
 TEST(Roofs, GablesOverAnyOutlineAreClosed) {
   for (int corners = 3; corners < 12; ++corners) {
     Outline outline;

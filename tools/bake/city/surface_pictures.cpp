@@ -130,62 +130,73 @@ PictureLayout::Placed PictureLayout::to_placed(const city::Polygon& polygon) {
   return placed;
 }
 
-PictureLayout::PictureLayout(const city::CityObject& object) {
-  for (const city::Polygon& polygon : object.polygons)
-    if (polygon.picture) placed_.emplace(polygon.picture.get(), to_placed(polygon));
-  std::erase_if(placed_, [](const auto& entry) { return entry.second.places.empty(); });
+PictureLayout::PictureLayout(city::CityObject& object) {
+  for (city::Polygon& polygon : object.polygons) {
+    polygon.picture_number = 0;
+    if (!polygon.picture) continue;
+    Placed placed = to_placed(polygon);
+    if (placed.places.empty()) continue;
+    placed_.push_back(std::move(placed));
+    polygon.picture_number = static_cast<std::uint32_t>(placed_.size());
+  }
 }
 
 SurfacePictures PictureLayout::lay_out(const mesh::TriangleMesh& mesh,
                                        const city::CityObject& object, double texels_per_m) const {
+  // A picture in one size. Polygons that share it, as large as each other, share its texels.
   struct Used {
     std::uint32_t piece;
     Image image;
     Group group;
     glm::dvec2 scale;
-    const Placed* placed;
+    double area_m2 = 0;
   };
-  std::map<const city::SurfacePicture*, Used> used;
-  std::vector<const Used*> in_order;
+  using Key = std::tuple<const city::SurfacePicture*, int, int, Group>;
+  std::map<Key, Used> used;
+  std::vector<Used*> in_order;
+  std::vector<Used*> by_number(placed_.size());
+  const auto find = [&](const city::SurfacePicture& picture, const Placed& placed, Group group) {
+    const double texels = texels_per_m * std::sqrt(placed.area_m2 / std::max(placed.pixels, 1e-9));
+    const double scale = std::clamp(texels, 0.0, 1.0);
+    const auto to_texels = [scale](int pixels) {
+      return std::max(1, static_cast<int>(std::ceil(scale * pixels)));
+    };
+    const int width = to_texels(picture.width), height = to_texels(picture.height);
+    const Key key{&picture, width, height, group};
+    auto at = used.find(key);
+    if (at == used.end()) {
+      at = used.emplace(key, Used{static_cast<std::uint32_t>(in_order.size()),
+                                  resize(picture, width, height),
+                                  group,
+                                  {double(width) / picture.width, double(height) / picture.height}})
+               .first;
+      in_order.push_back(&at->second);
+    }
+    at->second.area_m2 += placed.area_m2;
+    return &at->second;
+  };
   SurfacePictures result;
   result.triangles.resize(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const mesh::MeshTriangle& triangle = mesh.triangles[i];
     if (triangle.polygon >= object.polygons.size()) continue;
-    const city::SurfacePicture* picture = object.polygons[triangle.polygon].picture.get();
-    const auto placed = placed_.find(picture);
-    if (!picture || placed == placed_.end()) continue;
-    auto at = used.find(picture);
-    if (at == used.end()) {
-      const double texels =
-          texels_per_m * std::sqrt(placed->second.area_m2 / std::max(placed->second.pixels, 1e-9));
-      const double scale = std::clamp(texels, 0.0, 1.0);
-      const auto to_texels = [scale](int pixels) {
-        return std::max(1, static_cast<int>(std::ceil(scale * pixels)));
-      };
-      const int width = to_texels(picture->width), height = to_texels(picture->height);
-      at = used.emplace(picture,
-                        Used{static_cast<std::uint32_t>(in_order.size()),
-                             resize(*picture, width, height),
-                             find_group(triangle.surface),
-                             {double(width) / picture->width, double(height) / picture->height},
-                             &placed->second})
-               .first;
-      in_order.push_back(&at->second);
-    }
-    result.triangles[i].piece = at->second.piece;
+    const city::Polygon& polygon = object.polygons[triangle.polygon];
+    if (!polygon.picture || polygon.picture_number == 0) continue;
+    const std::size_t number = polygon.picture_number - 1;
+    if (!by_number[number])
+      by_number[number] = find(*polygon.picture, placed_[number], find_group(triangle.surface));
+    result.triangles[i].piece = by_number[number]->piece;
     for (int k = 0; k < 3; ++k)
-      result.triangles[i].places[k] =
-          glm::vec2(at->second.scale * at->second.placed->find(mesh.positions[triangle.vertex[k]]));
+      result.triangles[i].places[k] = glm::vec2(
+          by_number[number]->scale * placed_[number].find(mesh.positions[triangle.vertex[k]]));
   }
   if (in_order.empty()) return {};
 
   const bool is_evened = object.type == city::ObjectType::building;
   std::array<double, static_cast<std::size_t>(Group::count)> light{}, area_m2{};
   for (const Used* one : in_order) {
-    light[static_cast<std::size_t>(one->group)] +=
-        one->placed->area_m2 * one->image.mean_luminance();
-    area_m2[static_cast<std::size_t>(one->group)] += one->placed->area_m2;
+    light[static_cast<std::size_t>(one->group)] += one->area_m2 * one->image.mean_luminance();
+    area_m2[static_cast<std::size_t>(one->group)] += one->area_m2;
   }
   for (const Used* one : in_order) {
     const auto group = static_cast<std::size_t>(one->group);

@@ -46,8 +46,9 @@ struct SurfacePictures {
 /// Remembers where the pictures of an object's polygons lie, before its outlines are repaired.
 class PictureLayout {
  public:
-  /// Coordinates are E, N, H in metres.
-  explicit PictureLayout(const city::CityObject& object);
+  /// Coordinates are E, N, H in metres. Numbers the polygons that have a picture: several may share
+  /// one (implicit geometry placed twice), and each lies elsewhere.
+  explicit PictureLayout(city::CityObject& object);
 
   /// Returns the pictures on the triangles of the object's mesh. A picture with more texels to a
   /// metre than `texels_per_m` gets as many. The surfaces of a building that are of one kind, walls
@@ -72,7 +73,7 @@ class PictureLayout {
   };
   static Placed to_placed(const city::Polygon& polygon);
 
-  std::map<const city::SurfacePicture*, Placed> placed_;
+  std::vector<Placed> placed_;  // by the polygon's number - 1
 };
 
 }  // namespace nightcity::bake
