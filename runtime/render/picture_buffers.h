@@ -5,6 +5,7 @@
 
 #include "runtime/gpu/buffer.h"
 #include "shaders/frame.h"
+#include "shaders/limits.h"
 
 namespace nightcity::render {
 
