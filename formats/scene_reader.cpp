@@ -61,6 +61,7 @@ class Reader {
   std::size_t count_triangles(std::size_t index) const;
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t index) const;
   bool has_colours() const;
+  std::vector<bool> list_used_materials() const;
 
   // Adds what is known when all meshes have been read.
   void complete() {
@@ -200,6 +201,16 @@ std::size_t Reader::count_triangles(std::size_t index) const {
   return std::min(count, document_.bytes());
 }
 
+std::vector<bool> Reader::list_used_materials() const {
+  std::vector<bool> used(document_.count("materials"));
+  for (std::size_t mesh = 0; mesh < document_.count("meshes"); ++mesh)
+    for (const Json& primitive : member(document_.element("meshes", mesh), "primitives"))
+      if (const auto material = gltf::index(primitive, "material");
+          material && *material < used.size())
+        used[*material] = true;
+  return used;
+}
+
 std::optional<std::array<glm::vec3, 2>> Reader::find_bounds(std::size_t index) const {
   std::optional<std::array<glm::vec3, 2>> bounds;
   for (const Json& primitive : member(document_.element("meshes", index), "primitives")) {
@@ -306,6 +317,10 @@ bool SceneFile::reads_in_parallel() const {
 
 std::size_t SceneFile::count_triangles(std::size_t mesh) const {
   return with_name(reading_->path, [&] { return reading_->reader.count_triangles(mesh); });
+}
+
+std::vector<bool> SceneFile::list_used_materials() const {
+  return with_name(reading_->path, [&] { return reading_->reader.list_used_materials(); });
 }
 
 std::optional<std::array<glm::vec3, 2>> SceneFile::find_bounds(std::size_t mesh) const {

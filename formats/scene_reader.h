@@ -38,6 +38,10 @@ class SceneFile {
   /// accessors state and that nothing has checked; nothing where they state none.
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t mesh) const;
 
+  /// Returns which of the materials some mesh says that it uses, before meshes are read: fewer entries
+  /// than scene().materials count as false.
+  std::vector<bool> list_used_materials() const;
+
   /// Returns a mesh. `index` < mesh_count(). `mapped` gets where its primitives lie in the file.
   SceneMesh read_mesh(std::size_t index, MappedMesh* mapped = nullptr);
   /// Returns where the primitives of a mesh lie in the file, after read_mesh's checks and without

@@ -15,6 +15,7 @@
 #include "runtime/render/settings_file.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/scene_file.h"
+#include "runtime/scene/scene_traits.h"
 #include "runtime/scene/skyglow.h"
 
 namespace nightcity::nightview {
@@ -229,15 +230,21 @@ void RenderOptions::make_sky(const std::string& name, scene::RenderScene& loaded
       environment.city_radius_km, tonemap::luminance_709(zenith[0], zenith[1], zenith[2]));
 }
 
-scene::RenderScene RenderOptions::load(const std::string& other) const {
-  scene::RenderScene loaded = load(other, left_out.of_scene());
+scene::RenderScene RenderOptions::load(const std::string& other,
+                                       const scene::TakeTraits& take) const {
+  scene::RenderScene loaded = load(other, left_out.of_scene(), take);
   warn_of_left_out(other, loaded);
   return loaded;
 }
 
-scene::RenderScene RenderOptions::load(const std::string& other,
-                                       const scene::PartSet& parts) const {
-  scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(other), parts);
+scene::RenderScene RenderOptions::load(const std::string& other, const scene::PartSet& parts,
+                                       const scene::TakeTraits& take) const {
+  const auto with_sky = [&](scene::SceneTraits traits) {
+    traits.sky_map = settings.environment.glow != render::SkyGlow::none || !sky_map.empty();
+    if (take) take(traits);
+  };
+  scene::RenderScene loaded =
+      scene::load_render_scene(scene::find_scene_file(other), parts, with_sky);
   if (!edits.empty()) {
     const LightEdits by_hand = read_light_edits(edits);
     const std::size_t unknown = apply_edits(by_hand, loaded.lights);

@@ -55,9 +55,10 @@ struct RenderOptions {
   scene::RenderScene load() const { return load(scene); }
   /// The same without these parts, and without warnings; of another scene too.
   scene::RenderScene load(const scene::PartSet& parts) const { return load(scene, parts); }
-  scene::RenderScene load(const std::string& other, const scene::PartSet& parts) const;
+  scene::RenderScene load(const std::string& other, const scene::PartSet& parts,
+                          const scene::TakeTraits& take = {}) const;
   /// The first of another scene.
-  scene::RenderScene load(const std::string& other) const;
+  scene::RenderScene load(const std::string& other, const scene::TakeTraits& take = {}) const;
 
   // Set by resolve().
   std::uint32_t width = 0, height = 0;

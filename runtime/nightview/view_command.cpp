@@ -76,7 +76,9 @@ void view(ViewCommand& command) {
   if (!command.compare.empty())
     options.compared = viewer::change_settings(render.settings, command.compare);
   options.scenes.insert(options.scenes.begin(), render.scene);
-  options.load = [&render](const std::string& scene) { return render.load(scene); };
+  options.load = [&render](const std::string& scene, const scene::TakeTraits& take) {
+    return render.load(scene, take);
+  };
   options.camera = render.camera;
   options.device = render.device;
   options.width = render.width;

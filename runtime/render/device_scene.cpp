@@ -75,10 +75,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
                          scene::RenderScene* released)
     : device_(device) {
   check_memory(device, scene);
-  has_water_ = scene.triangles.any_material([&](std::uint32_t material) {
-    return material < scene.materials.size() &&
-           scene.materials[material].roughness < WATER_ROUGHNESS;
-  });
+  loaded_ = scene::find_traits(scene);
   if (!scene.textures.empty()) store_textures(scene);
   store_geometry(scene, released);
   addresses_.materials = store(std::span(scene.materials));
@@ -93,16 +90,6 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
     sky_upward_lm_ = scene.sky_map.upward_lm;
     natural_sky_cd_m2_ = scene.sky_map.natural_cd_m2;
   }
-  const auto any_light = [&](auto&& is) {
-    return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
-           std::any_of(scene.traffic.vehicle_lights.begin(), scene.traffic.vehicle_lights.end(),
-                       is);
-  };
-  has_profiles_ =
-      any_light([](const Light& light) { return light_profile(light) != LIGHT_NO_PROFILE; });
-  has_rectangles_ =
-      any_light([](const Light& light) { return light_kind(light) == LightKind::rectangle; });
-
   bounds_ = scene.bounds;
   origin_ = scene.origin;
   lights_.emplace(device_, scene);
@@ -110,6 +97,12 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
   follow_sky();
   left_out_ = scene.left_out;
   has_edited_lights_ = scene.has_edited_lights;
+}
+
+scene::SceneTraits DeviceScene::traits() const {
+  scene::SceneTraits traits = loaded_;
+  traits.schedules = has_switches();
+  return traits;
 }
 
 glm::vec3 DeviceScene::albedo(std::uint32_t material) const {

@@ -9,6 +9,7 @@
 #include "runtime/render/device_lights.h"
 #include "runtime/render/scene_tlas.h"
 #include "runtime/scene/render_scene.h"
+#include "runtime/scene/scene_traits.h"
 
 namespace nightcity::render {
 
@@ -60,10 +61,8 @@ class DeviceScene {
   }
 
   const gpu::SceneBuffers& buffers() const { return addresses_; }
-  bool has_profiles() const { return has_profiles_; }
-  bool has_rectangles() const { return has_rectangles_; }
-  /// Returns whether a surface is as smooth as water.
-  bool has_water() const { return has_water_; }
+  /// Returns what the scene has now: light switches come and go.
+  scene::SceneTraits traits() const;
   bool has_textures() const { return addresses_.textures != 0; }
   bool has_traffic() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
@@ -102,7 +101,7 @@ class DeviceScene {
   gpu::Device& device_;
   std::vector<gpu::Buffer> storage_;
   gpu::SceneBuffers addresses_{};
-  bool has_profiles_ = false, has_rectangles_ = false, has_water_ = false;
+  scene::SceneTraits loaded_;
 
   // With traffic: the static instances and nodes, followed by the slots.
   gpu::Buffer instances_, nodes_;

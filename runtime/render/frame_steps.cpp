@@ -54,7 +54,7 @@ void add_restir(std::vector<FrameStep>& steps, const FrameParts& frame,
   const glm::uvec2 half{(frame.size.x + 1) / 2, frame.size.y},
       sampled = half_rate ? half : frame.size,
       any{half_rate ? 2 * half.x : frame.size.x, frame.size.y};
-  steps.push_back(step_over(frame, any, frame.passes.candidates, "candidates"));
+  steps.push_back(step_over(frame, any, *frame.passes.candidates, "candidates"));
   const EstimatorTraits& traits = traits_of(settings.sampling.estimator);
   if (traits.reuses && settings.reuse.max_history > 0 && frame.has_history)
     steps.push_back(step_over(frame, sampled, frame.passes.temporal, "temporal"));
@@ -130,7 +130,7 @@ std::uint32_t choose_reference_slices(const RenderSettings& settings, glm::uvec2
 
 std::vector<FrameStep> list_steps(const FrameParts& frame, const RenderSettings& settings) {
   std::vector<FrameStep> steps = frame.vehicles.list_steps(frame.passes, frame.frame_address);
-  steps.push_back(step_of(frame, frame.passes.primary, "primary"));
+  steps.push_back(step_of(frame, *frame.passes.primary, "primary"));
   if (traits_of(settings.sampling.estimator).samples)
     add_restir(steps, frame, settings);
   else

@@ -13,7 +13,8 @@ namespace nightcity::render {
 /// Returns whether passes have air compiled in, which they may without need: see forced_features.
 bool has_air(const RenderSettings& settings);
 
-PassConstants find_constants(const RenderSettings& settings, const DeviceScene& scene);
+/// `traits`: of the scene that is rendered, or those that are expected while it is read.
+PassConstants find_constants(const RenderSettings& settings, const scene::SceneTraits& traits);
 
 /// Returns the features that neither the scene nor the settings need: passes are compiled without
 /// them.

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <future>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <utility>
 
 #include "runtime/gpu/compute_pass.h"
 #include "runtime/gpu/device.h"
@@ -23,12 +26,13 @@ struct PassSet {
   gpu::ComputePass accumulate, demodulate, denoise, inspect;
   // Compiled only with traffic.
   gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells, vehicle_bvh;
-  TracePass primary;
-  TracePass reference, reference_path;    // compiled only for the reference estimator
-  TracePass candidates, temporal, shade;  // compiled only for the others
-  TracePass spatial;                      // compiled only for weights not pairwise
-  gpu::ComputePass fill;                  // compiled with them
-  TracePass pair_targets;                 // compiled only for pairwise weights
+  // Shared with the set of a draft: they are the same whether or not light bounces.
+  std::shared_ptr<const TracePass> primary, candidates;
+  TracePass reference, reference_path;  // compiled only for the reference estimator
+  TracePass temporal, shade;            // compiled only for the others, as candidates are
+  TracePass spatial;                    // compiled only for weights not pairwise
+  gpu::ComputePass fill;                // compiled with them
+  TracePass pair_targets;               // compiled only for pairwise weights
   gpu::ComputePass pair_reuse;
   gpu::ComputePass cache_evict, cache_mark;  // compiled only with the irradiance cache
   TracePass cache_update;
@@ -41,6 +45,11 @@ struct DisplayPasses {
   gpu::ComputePass glare_down, glare_up;  // compiled only with glare
 };
 
+/// What passes are compiled for: any frame, or drafts alone (Effort::draft), which need a third of
+/// the time.
+enum class Extent : std::uint8_t { whole, draft };
+
+/// Threads may ask for sets at once; passes of the display and of measurements are one thread's.
 class PassLibrary {
  public:
   /// The device must outlive the library. `kept`: so many sets of passes, those that were asked for
@@ -51,10 +60,15 @@ class PassLibrary {
 
   /// Returns the passes for these constants, compiled where they are not kept. Who uses the result
   /// on the device holds it until the device is done.
-  std::shared_ptr<const PassSet> get(const PassConstants& constants);
+  std::shared_ptr<const PassSet> get(const PassConstants& constants, Extent extent = Extent::whole);
   /// Returns whether these passes are compiled. If not, starts to compile them in the background,
   /// one set at a time.
-  bool is_ready(const PassConstants& constants);
+  bool is_ready(const PassConstants& constants, Extent extent = Extent::whole);
+  /// Returns whether these passes are compiled, and compiles nothing.
+  bool has(const PassConstants& constants);
+  const gpu::Device& device() const { return device_; }
+  /// Returns whether the device translates passes, so that it keeps others waiting.
+  bool is_busy() const { return is_busy_; }
   const TracePass& upward(const PassConstants& constants);
   /// The same for the passes of the display. Only the display's constants may differ from 0.
   const DisplayPasses& display(const PassConstants& constants);
@@ -68,20 +82,28 @@ class PassLibrary {
     std::shared_ptr<const PassSet> set;
     std::uint64_t asked = 0;  // when, in calls
   };
-  // Returns the set that is kept for these constants, null without one.
-  std::shared_ptr<const PassSet> find(const PassConstants& constants);
-  std::shared_ptr<const PassSet> keep(const PassConstants& constants, PassSet set);
-  PassSet make_set(const PassConstants& constants);
+  using Key = std::pair<PassConstants, Extent>;
+  // Returns the set that is kept under this key, null without one.
+  std::shared_ptr<const PassSet> find(const Key& key);
+  std::shared_ptr<const PassSet> keep(const Key& key, PassSet set);
+  // Returns the set of a draft that has passes in common with a set, null without one.
+  std::shared_ptr<const PassSet> find_draft(const Key& key);
+  PassSet make_set(const Key& key, const std::shared_ptr<const PassSet>& draft);
+  // Keeps a set that was compiled in the background, if one is complete.
+  void collect();
+  void translate(const PassSet& set, const PassConstants& constants);
   TracePass make_trace(const PassConstants& constants, const TraceShader& shader,
                        gpu::Workgroup workgroup);
 
   gpu::Device& device_;
   std::size_t kept_;
-  std::map<PassConstants, Kept> sets_;
+  std::mutex mutex_;  // of the sets and of what is compiled in the background
+  std::map<Key, Kept> sets_;
   std::uint64_t asked_ = 0;  // calls
   std::map<PassConstants, TracePass> upward_;
   std::map<PassConstants, DisplayPasses> display_;
-  PassConstants next_{};      // compiled in the background,
+  std::atomic<bool> is_busy_ = false;
+  Key next_{};                // compiled in the background,
   std::future<PassSet> set_;  // if this is valid; it uses the device, so it is destroyed first
 };
 

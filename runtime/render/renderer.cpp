@@ -101,7 +101,8 @@ void Renderer::restart_if_changed() {
     next_.frames = 0;
   // Reservoirs of other settings estimate something else; those of another view are reprojected.
   // The scene keeps the switches of one change before, and no older ones.
-  if (!same_settings || switched > 1) next_.has_history = false;
+  if (!same_settings || switched > 1 || done_.effort.draft || next_.effort.draft)
+    next_.has_history = false;
   // Cells forget while the clock moves. Lights that change while it stands (their tables took a
   // moment, or a user switched them) would stay in settled cells.
   const bool stands = settings.time_s == before.time_s;
@@ -205,9 +206,10 @@ void Renderer::fill_view(gpu::Frame& frame) {
   frame.moon_lux = settings.environment.moon_lux;
 }
 
-void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& settings,
+void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& asked,
                            const Effort& effort) {
   abandon_frame();
+  const RenderSettings settings = effort.draft ? to_draft(asked) : asked;
   check(settings);
   next_ = done_;
   next_.pose = scene::relative_to(scene_.origin(), pose);
@@ -219,7 +221,8 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
     next_.age = 0;
     next_.step_cd_m2 = 0;
   }
-  passes_ = library_.get(find_constants(settings, scene_));
+  passes_ = library_.get(find_constants(settings, scene_.traits()),
+                         effort.draft ? Extent::draft : Extent::whole);
 
   RenderSettings bounded = settings;
   bounded.sampling.candidates = std::min(settings.sampling.candidates, effort.max_candidates);
@@ -244,7 +247,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
                          .radiance = radiance_.handle(),
                          .denoised = denoised_.handle()},
                         bounded));
-  ++frame_number_;
+  if (!effort.draft) ++frame_number_;
   begun_ = true;
 }
 
@@ -338,7 +341,7 @@ void Renderer::expose(const DisplaySettings& display, const Renderer* reference)
   frame.display = picture.display.address();
   frame.accumulation =
       done_.settings.display.denoise ? denoised_.address() : picture.accumulation.address();
-  if (shows(done_.settings, display.view, reference != nullptr))
+  if (!done_.effort.draft && shows(done_.settings, display.view, reference != nullptr))
     inspect(frame, display, reference);
   else
     display_.show(frame, display, pixel_angle(done_.camera, picture.size));

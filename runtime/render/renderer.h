@@ -39,6 +39,8 @@ struct Effort {
   // Times the settings' resolution scale: 0.1 .. 1.
   float resolution_scale = 1;
   bool half_rate = false;  // even where the settings do not ask for it
+  // Renders with to_draft(settings), and leaves no trace in later frames.
+  bool draft = false;
 
   bool operator==(const Effort&) const = default;
 };
@@ -95,7 +97,15 @@ class Renderer {
   /// Returns whether the passes for these settings are compiled. If not, they are being compiled in
   /// the background.
   bool is_ready(const RenderSettings& settings) {
-    return library_.is_ready(find_constants(settings, scene_));
+    return library_.is_ready(find_constants(settings, scene_.traits()));
+  }
+  /// Returns whether they are, and compiles nothing.
+  bool has_passes(const RenderSettings& settings) {
+    return library_.has(find_constants(settings, scene_.traits()));
+  }
+  /// As is_ready(), of the passes for a draft.
+  bool is_draft_ready(const RenderSettings& settings) {
+    return library_.is_ready(find_constants(to_draft(settings), scene_.traits()), Extent::draft);
   }
 
   std::vector<Feature> list_unneeded(const RenderSettings& settings) const {

@@ -113,6 +113,16 @@ std::uint32_t find_projection(const std::string& name) {
                    "'" + name + "' is none of perspective, fisheye and equirectangular");
 }
 
+RenderSettings to_draft(RenderSettings settings) {
+  settings.indirect.bounces = 0;
+  settings.air.visibility_km = 0;
+  settings.sampling.half_rate = false;
+  settings.reuse.neighbours = 0;
+  settings.display.denoise = false;
+  settings.forced_features = 0;
+  return settings;
+}
+
 std::uint32_t find_indirect(const RenderSettings& settings) {
   if (settings.indirect.bounces == 0) return INDIRECT_NONE;
   return settings.indirect.cache && traits_of(settings.sampling.estimator).samples ? INDIRECT_CACHE

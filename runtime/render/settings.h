@@ -257,6 +257,11 @@ inline void keep_what_view_needs(std::uint32_t view, SamplingSettings& sampling)
 /// the scene; the renderer sets it.
 RenderSettings to_published(RenderSettings settings);
 
+/// Returns the settings of a draft, the first picture of a scene while most passes are still being
+/// compiled: without light that bounced and without air, at full rate, from no other pixels and not
+/// denoised. Only an estimator that draws samples has drafts.
+RenderSettings to_draft(RenderSettings settings);
+
 struct Feature {
   std::uint32_t constant;  // CONSTANT_*
   const char* name;

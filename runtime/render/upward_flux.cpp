@@ -19,12 +19,13 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
                                const UpwardSettings& settings) {
   scene.set_time(settings.time_s);
   VehiclePasses vehicle_passes(device, scene);
+  const scene::SceneTraits traits = scene.traits();
   PassConstants constants{};
-  constants[CONSTANT_PROFILES] = scene.has_profiles();
-  constants[CONSTANT_TEXTURES] = scene.has_textures();
-  constants[CONSTANT_RECTANGLES] = scene.has_rectangles();
-  constants[CONSTANT_SCHEDULES] = scene.has_switches();
-  constants[CONSTANT_TRAFFIC] = scene.has_traffic();
+  constants[CONSTANT_PROFILES] = traits.profiles;
+  constants[CONSTANT_TEXTURES] = traits.textures;
+  constants[CONSTANT_RECTANGLES] = traits.rectangles;
+  constants[CONSTANT_SCHEDULES] = traits.schedules;
+  constants[CONSTANT_TRAFFIC] = traits.traffic;
   const TracePass& pass = library.upward(constants);
 
   gpu::Frame frame{};

@@ -18,6 +18,7 @@
 #include "runtime/scene/local_origin.h"
 #include "runtime/scene/parts.h"
 #include "runtime/scene/scene_geometry.h"
+#include "runtime/scene/scene_traits.h"
 #include "runtime/scene/textures.h"
 
 namespace nightcity::scene {
@@ -227,7 +228,8 @@ LoadedLights load_lights(const std::filesystem::path& glb) {
 
 }  // namespace
 
-RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out) {
+RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out,
+                              const TakeTraits& take_traits) {
   RenderScene out;
   std::future<LoadedLights> loading =
       std::async(std::launch::async, [&, token = find_cancel_token()] {
@@ -243,6 +245,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   out.left_out = left_out;
   const std::vector<std::uint32_t> numbers = leave_out_lights(lights, left_out);
   add_lights(out, std::move(lights));
+  if (take_traits) take_traits(expect_traits(out, file.scene(), file.list_used_materials()));
   MeshSource meshes;
   meshes.read = [&file](std::uint32_t mesh, MappedMesh* mapped) {
     return std::make_shared<const SceneMesh>(file.read_mesh(mesh, mapped));

@@ -5,6 +5,7 @@
 #include <bitset>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@
 #include "shaders/scene_types.h"
 
 namespace nightcity::scene {
+
+struct SceneTraits;  // scene_traits.h
+/// Takes the traits that are expected while a scene is read, on the thread that reads it.
+using TakeTraits = std::function<void(const SceneTraits&)>;
 
 /// The traffic of a light file, and the bodies of its vehicles.
 struct Traffic {
@@ -143,6 +148,8 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights, const Part
 
 /// Reads SCENE.glb and, if it exists, the light file beside it (SCENE.lights), without the parts in
 /// `left_out`. Throws Error; Cancelled where the thread's token asks for an end (formats/cancel.h).
-RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out = {});
+/// `take_traits`: gets the expected traits before the geometry is read; null = nobody asks.
+RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out = {},
+                              const TakeTraits& take_traits = {});
 
 }  // namespace nightcity::scene

@@ -4,6 +4,7 @@
 
 #include "formats/cancel.h"
 #include "formats/error.h"
+#include "runtime/viewer/live_picture.h"
 
 namespace nightcity::viewer {
 
@@ -11,16 +12,20 @@ std::string name_of(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-Opening::Opening(std::string path, std::string camera, double time_s, scene::LightFamilies on,
+Opening::Opening(std::string path, std::string camera, const render::RenderSettings& settings,
                  LoadScene load)
-    : path_(std::move(path)) {
+    : path_(std::move(path)), settings_(settings) {
   city_ = std::async(
-      std::launch::async, [this, path = path_, camera = std::move(camera), time_s, on,
-                           load = std::move(load), device = device_.get_future()]() mutable {
+      std::launch::async, [this, path = path_, camera = std::move(camera), load = std::move(load),
+                           device = device_.get_future()]() mutable {
         const CancelScope scope(stop_.get_token());
         auto city = std::make_unique<City>();
         city->path = path;
-        city->scene = load(path);
+        city->scene = load(path, [this](const scene::SceneTraits& traits) {
+          const std::lock_guard lock(mutex_);
+          traits_ = traits;
+          compile_early();
+        });
         throw_if_cancelled();
         try {
           city->notice = city->edits.open(LightEditor::find_file(path), city->scene);
@@ -39,7 +44,7 @@ Opening::Opening(std::string path, std::string camera, double time_s, scene::Lig
         throw_if_cancelled();
         // Lights are switched in the background later, so that the clock never blocks the window;
         // the first frame has its lights already.
-        city->on_device->set_time(time_s, on);
+        city->on_device->set_time(settings_.time_s, settings_.environment.lights);
         city->on_device->switch_when_ready();
         return city;
       });
@@ -49,6 +54,17 @@ Opening::~Opening() {
   stop_.request_stop();
   device_ = {};  // a thread that still waits for a device ends by an exception
   if (city_.valid()) city_.wait();
+}
+
+void Opening::set_device(gpu::Device& device, render::PassLibrary& passes) {
+  device_.set_value(&device);
+  const std::lock_guard lock(mutex_);
+  passes_ = &passes;
+  compile_early();
+}
+
+void Opening::compile_early() {
+  if (passes_ && traits_) start_first_passes(*passes_, settings_, *traits_);
 }
 
 double Opening::elapsed_s() const {

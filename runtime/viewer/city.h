@@ -6,11 +6,15 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 
 #include "runtime/gpu/device.h"
 #include "runtime/render/device_scene.h"
+#include "runtime/render/pass_library.h"
+#include "runtime/render/settings.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/render_scene.h"
 #include "runtime/viewer/light_editor.h"
@@ -32,23 +36,27 @@ struct City {
 /// Returns the file name of a path, as titles show it.
 std::string name_of(const std::string& path);
 
-using LoadScene = std::function<scene::RenderScene(const std::string& path)>;
+/// Reads a scene, and hands over its expected traits as soon as they are known.
+using LoadScene =
+    std::function<scene::RenderScene(const std::string& path, const scene::TakeTraits& take)>;
 
 /// Reads a scene, copies it to the device and finds the camera's pose in a thread of its own, whose
-/// token (formats/cancel.h) asks for an end once nobody waits for the city.
+/// token (formats/cancel.h) asks for an end once nobody waits for the city. Meanwhile the passes of
+/// its first picture are compiled.
 class Opening {
  public:
-  /// `camera`: as find_camera takes it. Lights are switched to `time_s`, in seconds since noon, and
-  /// those of families outside `on` are off.
-  Opening(std::string path, std::string camera, double time_s, scene::LightFamilies on,
+  /// `camera`: as find_camera takes it. Lights are switched as `settings` say, with which the city
+  /// is shown first.
+  Opening(std::string path, std::string camera, const render::RenderSettings& settings,
           LoadScene load);
   /// Ends the thread, which looks between its pieces of work whether it is to.
   ~Opening();
   Opening(const Opening&) = delete;
   Opening& operator=(const Opening&) = delete;
 
-  /// Says where the scene goes: reading begins without it. Call it once.
-  void set_device(gpu::Device& device) { device_.set_value(&device); }
+  /// Says where the scene goes: reading begins without it. Call it once. Both must outlive the
+  /// object.
+  void set_device(gpu::Device& device, render::PassLibrary& passes);
   /// Returns what is being done, in a few words.
   const char* stage() const { return stage_.load(); }
   const std::string& path() const { return path_; }
@@ -58,7 +66,14 @@ class Opening {
   std::unique_ptr<City> take() { return city_.get(); }
 
  private:
+  // Compiles the passes of the first picture, once traits and library are both known.
+  void compile_early();
+
   std::string path_;
+  render::RenderSettings settings_;
+  std::mutex mutex_;  // of these two
+  std::optional<scene::SceneTraits> traits_;
+  render::PassLibrary* passes_ = nullptr;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<const char*> stage_{"reading"};
   std::stop_source stop_;

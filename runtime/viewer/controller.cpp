@@ -38,8 +38,7 @@ Controller::Controller(const ViewOptions& options, Presenter& presenter, Workben
 
 std::unique_ptr<Opening> Controller::start_opening(const ViewOptions& options,
                                                    const std::string& path) {
-  return std::make_unique<Opening>(path, options.camera, options.settings.time_s,
-                                   options.settings.environment.lights, options.load);
+  return std::make_unique<Opening>(path, options.camera, options.settings, options.load);
 }
 
 Views Controller::views() const {

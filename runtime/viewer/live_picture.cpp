@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "runtime/render/pass_constants.h"
 #include "runtime/scene/markers.h"
 #include "runtime/viewer/camera_motion.h"
 #include "runtime/viewer/comparison.h"
@@ -23,6 +24,9 @@ constexpr double slice_s = 0.025;
 // knew: one path each, and a fourth of the cells, are enough until the view rests.
 constexpr render::Effort quick_effort{
     .max_candidates = 8, .max_neighbours = 0, .max_cell_paths = 1, .cell_scale = 2};
+
+// The first picture while most passes are still being compiled.
+constexpr render::Effort draft_effort{.max_candidates = 8, .max_neighbours = 0, .draft = true};
 
 // While the clock runs, the picture is the mean of the last few frames and follows motion.
 constexpr std::uint32_t frames_in_motion = 8;
@@ -58,13 +62,18 @@ render::DisplaySettings left_by_a_frame(const render::DisplaySettings& display) 
   return left;
 }
 
-void log_frame(const render::Renderer& renderer, const FramePlan& plan) {
+// Returns whether pictures begin with a draft. A GPU's driver has most passes on disk.
+bool has_drafts(const gpu::Device& device, const render::RenderSettings& settings) {
+  return device.info().kind == "cpu" && render::traits_of(settings.sampling.estimator).samples;
+}
+
+void log_frame(const render::Renderer& renderer, const char* name) {
   if (!spdlog::should_log(spdlog::level::debug)) return;
   std::string passes;
   for (const gpu::Timer::Span& pass : renderer.timings())
     passes += fmt::format(", {} {:.1f}", pass.name, pass.ms);
-  spdlog::debug("{}frame of {} x {}: {:.1f} ms{}", plan.quick ? "quick " : "", renderer.width(),
-                renderer.height(), 1000 * renderer.frame_s(), passes);
+  spdlog::debug("{} of {} x {}: {:.1f} ms{}", name, renderer.width(), renderer.height(),
+                1000 * renderer.frame_s(), passes);
 }
 
 double pixels_of(glm::uvec2 size) {
@@ -73,9 +82,22 @@ double pixels_of(glm::uvec2 size) {
 
 }  // namespace
 
+void start_first_passes(render::PassLibrary& passes, const render::RenderSettings& settings,
+                        const scene::SceneTraits& traits) {
+  const render::PassConstants whole = render::find_constants(settings, traits);
+  if (passes.has(whole)) return;
+  if (!has_drafts(passes.device(), settings)) {
+    passes.is_ready(whole);
+    return;
+  }
+  passes.is_ready(render::find_constants(render::to_draft(settings), traits),
+                  render::Extent::draft);
+}
+
 LivePicture::LivePicture(gpu::Device& device, render::PassLibrary& passes,
                          render::DeviceScene& scene, glm::uvec2 window)
-    : renderer_(device, passes, scene, std::max(1u, window.x / Refinement::coarsest),
+    : device_(device),
+      renderer_(device, passes, scene, std::max(1u, window.x / Refinement::coarsest),
                 std::max(1u, window.y / Refinement::coarsest)),
       pace_(device, passes, scene) {}
 
@@ -92,11 +114,25 @@ void LivePicture::notice_changes(const View& view, double now_s) {
   view_ = view;
 }
 
+bool LivePicture::find_passes(const View& view) {
+  const bool is_first = !has_picture();
+  // The processor that would compile the other passes meanwhile renders the draft.
+  const bool ready =
+      is_first ? renderer_.has_passes(view.settings) : renderer_.is_ready(view.settings);
+  drafts_ = !ready && (is_first || is_draft()) && has_drafts(device_, view.settings);
+  if (!drafts_) return ready || renderer_.is_ready(view.settings);
+  const bool is_shown = !is_first && shown_ && same_view(*shown_, view);
+  return !is_shown && renderer_.is_draft_ready(view.settings);
+}
+
 void LivePicture::begin(const View& view, double now_s) {
   plan_ = refinement_.plan(now_s, pixels_of(view.window), view.runs);
-  is_governed_ = pace_.governs() && (view.runs || refinement_.is_moving(now_s));
+  is_governed_ = !drafts_ && pace_.governs() && (view.runs || refinement_.is_moving(now_s));
   if (is_governed_) plan_ = {pace_.divisor(), true};
-  effort_ = is_governed_ ? pace_.effort() : plan_.quick ? quick_effort : render::Effort{};
+  effort_ = drafts_        ? draft_effort
+            : is_governed_ ? pace_.effort()
+            : plan_.quick  ? quick_effort
+                           : render::Effort{};
   const glm::uvec2 size = glm::max(view.window / plan_.divisor, glm::uvec2(1));
   renderer_.set_size(size.x, size.y);
   render::RenderSettings settings = view.settings;
@@ -118,7 +154,7 @@ bool LivePicture::rests(const View& view, double now_s) const {
 }
 
 bool LivePicture::shows(const View& view) const {
-  return shown_ && same_view(*shown_, view);
+  return shown_ && !is_draft() && same_view(*shown_, view);
 }
 
 bool LivePicture::work(const View& view, double now_s, double wait_s) {
@@ -134,7 +170,7 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
     }
     if (!renderer_.has_begun()) {
       if (rests(view, now_s)) return false;
-      compiles_ = !renderer_.is_ready(view.settings);
+      compiles_ = !find_passes(view);
       if (compiles_) return false;
       begin(view, now_s);
     }
@@ -146,14 +182,16 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
 
 void LivePicture::complete(const View& view) {
   ++completed_;
-  log_frame(renderer_, plan_);
+  log_frame(renderer_, effort_.draft ? "draft" : plan_.quick ? "quick frame" : "frame");
   if (is_governed_) {
     const double ms = gpu::sum_ms(renderer_.timings());
     pace_.observe(ms > 0 ? ms : 1000 * renderer_.frame_s());
   }
   const glm::dvec2 size(
       renderer_.picture_size());  // what is left out of it by a scale takes no time
-  refinement_.complete(plan_, size.x * size.y, renderer_.frame_s(), same_view(begun_, view));
+  // A draft says little of the next frame's time, and the coarsest picture comes after it.
+  if (!effort_.draft)
+    refinement_.complete(plan_, size.x * size.y, renderer_.frame_s(), same_view(begun_, view));
   shown_plan_ = plan_;
   shown_effort_ = effort_;
   shown_ = begun_;
@@ -167,12 +205,13 @@ render::RenderSettings LivePicture::made_with() const {
   settings.sampling.candidates =
       std::min(settings.sampling.candidates, shown_effort_.max_candidates);
   settings.reuse.neighbours = std::min(settings.reuse.neighbours, shown_effort_.max_neighbours);
-  return settings;
+  return is_draft() ? render::to_draft(settings) : settings;
 }
 
 bool LivePicture::is_like(const LivePicture& other) const {
-  return shown_ && other.shown_ && has_picture() && other.has_picture() &&
-         is_same_pose(shown_->pose, other.shown_->pose) && shown_->window == other.shown_->window &&
+  return shown_ && other.shown_ && has_picture() && other.has_picture() && !is_draft() &&
+         !other.is_draft() && is_same_pose(shown_->pose, other.shown_->pose) &&
+         shown_->window == other.shown_->window &&
          have_same_lights(shown_->settings, other.shown_->settings) &&
          shown_->settings.indirect.bounces == other.shown_->settings.indirect.bounces &&
          shown_->settings.environment == other.shown_->settings.environment &&

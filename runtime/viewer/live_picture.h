@@ -24,6 +24,11 @@ struct View {
   render::GovernorOptions governor{};  // of frames while the view moves or the clock runs
 };
 
+/// Begins to compile the passes of the first picture of a scene, which it has first where they are
+/// not all there.
+void start_first_passes(render::PassLibrary& passes, const render::RenderSettings& settings,
+                        const scene::SceneTraits& traits);
+
 class LivePicture {
  public:
   LivePicture(gpu::Device& device, render::PassLibrary& passes, render::DeviceScene& scene,
@@ -35,7 +40,7 @@ class LivePicture {
   bool work(const View& view, double now_s, double wait_s);
   /// Returns whether work() would do nothing: all frames of the mean are there.
   bool rests(const View& view, double now_s) const;
-  /// Returns whether the picture on the screen, however coarse, is of this view.
+  /// Returns whether the picture on the screen, however coarse, is of this view, and no draft.
   bool shows(const View& view) const;
   /// Returns whether a slice runs on the device: showing a picture would wait for it.
   bool is_busy() const { return renderer_.is_busy() || pace_.is_busy(); }
@@ -64,6 +69,9 @@ class LivePicture {
   std::optional<double> luminance_at(const glm::vec3& point) const;
 
   bool has_picture() const { return renderer_.frames() > 0; }
+  /// Returns whether the picture on the screen is a draft (render::to_draft): there were no passes
+  /// for more.
+  bool is_draft() const { return has_picture() && shown_effort_.draft; }
   const render::Renderer& renderer() const { return renderer_; }
   /// Returns the settings that the picture on the screen was made with: those of its view, within
   /// the bounds of a quick frame.
@@ -80,14 +88,18 @@ class LivePicture {
  private:
   void notice_changes(const View& view, double now_s);
   void begin(const View& view, double now_s);
+  // Returns whether the passes for the next frame are compiled, and decides whether it is a draft.
+  bool find_passes(const View& view);
   void complete(const View& view);
 
+  const gpu::Device& device_;
   render::Renderer renderer_;
   Refinement refinement_;
   Pace pace_;
   std::optional<View> view_;  // at the last call
   View begun_;                // of the frame in progress
   render::Effort effort_, shown_effort_;
+  bool drafts_ = false;       // the frame in progress
   bool is_governed_ = false;  // the frame in progress
   FramePlan plan_, shown_plan_;
   std::optional<View> shown_;  // of the last complete frame

@@ -118,7 +118,8 @@ class Viewer {
 
   double find_sleep_s() const {
     if (window_.is_minimised()) return sleep_s;
-    if (workbench_.picture() && workbench_.picture()->compiles()) return 0.01;
+    if (workbench_.translates() || (workbench_.picture() && workbench_.picture()->compiles()))
+      return 0.01;
     if (works() || !window_.queue().empty() || redraws_ > 0 || new_picture_) return 0;
     if (workbench_.opening() || controller_.has_gamepad()) return 0.02;
     return sleep_s;
@@ -211,11 +212,15 @@ class Viewer {
     const Comparison& compare = session_.state.compare;
     Presenter::Shown pictures{picture, renderer_of(workbench_.beside(Beside::side)), compare.line};
     if (pictures.left && !compare.changes_b) std::swap(pictures.picture, pictures.left);
-    const std::uint32_t shown = shown_ + (picture && new_picture_);
+    // A draft stands for the first picture, which is still to come.
+    const bool is_draft = picture && workbench_.picture()->is_draft();
+    const std::uint32_t shown = shown_ + (picture && new_picture_ && !is_draft);
     const bool last = options_.quit_after != 0 && shown == options_.quit_after;
     measure::Image8 grabbed;
     const bool grabs = last && !options_.screenshot.empty();
     if (!presenter_.show(pictures, grabs ? &grabbed : nullptr)) return;
+    if (new_picture_ && shown_ == 0)
+      spdlog::debug("the first {} is shown", is_draft ? "draft" : "picture");
     shown_ = shown;
     new_picture_ = false;
     if (grabs)

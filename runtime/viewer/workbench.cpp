@@ -11,7 +11,7 @@ namespace nightcity::viewer {
 void Workbench::open(std::unique_ptr<Opening> opening) {
   if (opening_) return;
   opening_ = std::move(opening);
-  opening_->set_device(device_);
+  opening_->set_device(device_, passes_);
 }
 
 bool Workbench::finish_opening(glm::uvec2 window) {
@@ -58,7 +58,7 @@ SavedPicture Workbench::take_saved(const render::DisplaySettings& display) {
 }
 
 bool Workbench::is_busy() const {
-  return (picture_ && picture_->is_busy()) || (other_ && other_->is_busy()) ||
+  return passes_.is_busy() || (picture_ && picture_->is_busy()) || (other_ && other_->is_busy()) ||
          (job_ && job_->is_busy());
 }
 

@@ -65,8 +65,10 @@ class Workbench {
   /// settings say. Throws Error.
   SavedPicture take_saved(const render::DisplaySettings& display);
 
-  /// Returns whether a slice runs on the device: showing a picture would wait for it.
+  /// Returns whether a slice runs on the device, or the device translates a pass: showing a picture
+  /// would wait for it.
   bool is_busy() const;
+  bool translates() const { return passes_.is_busy(); }
   /// Waits at most `wait_s` for the slice that runs, and returns whether none does.
   bool wait(double wait_s);
   /// Returns whether work() would do something.

@@ -254,7 +254,7 @@ TEST_F(Slices, PassesThatWereLongNotAskedForAreLetGoOf) {
   const auto constants_of = [&](Estimator estimator) {
     RenderSettings settings = settings_;
     settings.sampling.estimator = estimator;
-    return find_constants(settings, device_scene_);
+    return find_constants(settings, device_scene_.traits());
   };
   const PassConstants one = constants_of(Estimator::ris), two = constants_of(Estimator::reference),
                       three = constants_of(Estimator::pairwise);
@@ -266,6 +266,52 @@ TEST_F(Slices, PassesThatWereLongNotAskedForAreLetGoOf) {
   passes.get(two);
   passes.get(one);
   EXPECT_EQ(held.use_count(), 1) << "who holds a set keeps it";
+}
+
+// A window shows a draft while most passes are still being compiled. What it shows afterwards is
+// what it would have shown without.
+TEST_F(Slices, ADraftLeavesNoTrace) {
+  settings_.indirect = {.bounces = 2, .cache = false};
+  settings_.display.denoise = true;
+  const auto draft = [&](Renderer& renderer, const scene::CameraPose& pose) {
+    renderer.begin_frame(pose, settings_, {.draft = true});
+    while (!renderer.continue_frame(for_ever, for_ever)) {
+    }
+  };
+  scene::CameraPose aside = pose_;
+  aside.position.x += 1;
+  Renderer with = make(), without = make(), direct = make();
+  draft(with, aside);
+  draft(with, pose_);
+  RenderSettings no_bounces;
+  no_bounces.reuse.neighbours = 0;
+  direct.render_frame(pose_, no_bounces);
+  EXPECT_EQ(with.download(false).rgb, direct.download(false).rgb)
+      << "a first frame of direct light";
+  EXPECT_EQ(with.download(false).info.bounces, 0u);
+  for (int i = 0; i < 3; ++i) {
+    with.render_frame(pose_, settings_);
+    without.render_frame(pose_, settings_);
+    EXPECT_EQ(with.frames(), without.frames());
+    EXPECT_EQ(with.download(false).rgb, without.download(false).rgb) << i;
+  }
+}
+
+// Drafts wait for fewer passes than frames do, and do without the others.
+TEST_F(Slices, ADraftNeedsItsOwnPassesAlone) {
+  PassLibrary passes(test::test_device());
+  Renderer renderer(test::test_device(), passes, device_scene_, 16, 16);
+  while (!renderer.is_draft_ready(settings_)) {
+  }
+  EXPECT_FALSE(renderer.has_passes(settings_));
+  renderer.begin_frame(pose_, settings_, {.draft = true});
+  while (!renderer.continue_frame(for_ever, for_ever)) {
+  }
+  EXPECT_EQ(renderer.frames(), 1u);
+  RenderSettings inspected = settings_;
+  inspected.display.view = VIEW_LUMINANCE;
+  renderer.expose(inspected.display);  // has no pass yet: it shows the picture
+  EXPECT_FALSE(renderer.has_passes(settings_));
 }
 
 TEST_F(Slices, PassesAreCompiledInTheBackground) {

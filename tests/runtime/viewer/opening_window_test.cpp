@@ -1,17 +1,22 @@
 // The window while its scene is opened, in this process: the test decides when the scene is there.
 #include <gtest/gtest.h>
+#include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
 
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "formats/cancel.h"
 #include "formats/parallel.h"
 #include "formats/program/child_program.h"
+#include "runtime/scene/scene_traits.h"
 #include "runtime/viewer/viewer.h"
 #include "support/scenes.h"
 #include "support/temp_folder.h"
@@ -60,7 +65,7 @@ TEST(OpeningWindow, KeysThatNeedNoSceneAreObeyed) {
   std::atomic<bool> may_open = false;
   ViewOptions options;
   options.scenes = {(folder / "town.glb").string()};
-  options.load = [&](const std::string&) {
+  options.load = [&](const std::string&, const scene::TakeTraits&) {
     while (!may_open) std::this_thread::sleep_for(5ms);
     return test::SceneBuilder().ground(20).with({test::lamp({0, 5, 0}, 1000)});
   };
@@ -88,6 +93,87 @@ TEST(OpeningWindow, KeysThatNeedNoSceneAreObeyed) {
   EXPECT_FALSE(std::filesystem::exists(folder / "night-001.png")) << "P needs the scene";
 }
 
+// Keeps what is logged, in order.
+class Lines : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  Lines() : before_(spdlog::default_logger()) { set_pattern("%v"); }
+  // Returns the place of the first line that contains `text`, SIZE_MAX without one.
+  std::size_t find(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (lines_[i].find(text) != std::string::npos) return i;
+    return SIZE_MAX;
+  }
+  std::string all() {
+    const std::lock_guard lock(mutex_);
+    std::string text;
+    for (const std::string& line : lines_) text += line;
+    return text;
+  }
+  void restore() { spdlog::set_default_logger(before_); }
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t text;
+    formatter_->format(message, text);
+    lines_.emplace_back(text.data(), text.size());
+  }
+  void flush_() override {}
+
+  std::shared_ptr<spdlog::logger> before_;
+  std::vector<std::string> lines_;
+};
+
+// The scene arrives only when the passes of its first picture are compiled, which takes as long as
+// it takes. On a CPU driver that is a draft, and the other passes are compiled when it is there.
+TEST(OpeningWindow, PassesOfTheFirstPictureAreCompiledWhileTheSceneIsRead) {
+  if (!has_program("Xvfb")) GTEST_SKIP() << "Xvfb is not installed: no display";
+  const test::TempFolder folder;
+  Display display;
+  ASSERT_NE(display.number(), "");
+  const auto lines = std::make_shared<Lines>();
+  const auto logger = std::make_shared<spdlog::logger>("test", lines);
+  logger->set_level(spdlog::level::debug);
+  spdlog::set_default_logger(logger);
+  ViewOptions options;
+  options.scenes = {(folder / "town.glb").string()};
+  bool in_time = false;
+  options.load = [&](const std::string&, const scene::TakeTraits& take) {
+    scene::RenderScene scene = test::SceneBuilder().ground(20).with({test::lamp({0, 5, 0}, 1000)});
+    take(scene::find_traits(scene));
+    const auto compiled = [&] {
+      return lines->find("the passes of a draft are compiled") != SIZE_MAX ||
+             lines->find("the passes of frames are compiled") != SIZE_MAX;
+    };
+    for (int i = 0; i < 6000 && !compiled(); ++i) std::this_thread::sleep_for(10ms);
+    in_time = compiled();
+    return scene;
+  };
+  options.camera = "overview";
+  options.device.validation = true;
+  options.width = 320;
+  options.height = 240;
+  options.quit_after = 1;
+  const ViewReport report = run_viewer(options);
+  lines->restore();
+  EXPECT_TRUE(in_time) << lines->all();
+  EXPECT_EQ(report.shown, 1u) << "a draft is not counted";
+  const std::size_t draft = lines->find("the passes of a draft are compiled"),
+                    opened = lines->find("is opened"), shown = lines->find("the first draft is"),
+                    rest = lines->find("the passes of frames are compiled"),
+                    picture = lines->find("the first picture is shown");
+  ASSERT_NE(opened, SIZE_MAX);
+  if (draft == SIZE_MAX) {  // on a GPU
+    EXPECT_LT(rest, opened) << lines->all();
+    EXPECT_EQ(shown, SIZE_MAX);
+  } else {
+    EXPECT_LT(draft, opened) << lines->all();
+    EXPECT_LT(opened, shown);
+    EXPECT_LT(shown, rest);
+  }
+  EXPECT_LT(rest, picture);
+}
+
 // Loading ends only when it is told to: by the two keys or the signal, through the window's loop.
 TEST(OpeningWindow, ClosingItEndsTheLoading) {
   if (!has_program("Xvfb") || !has_program("xdotool"))
@@ -99,7 +185,7 @@ TEST(OpeningWindow, ClosingItEndsTheLoading) {
     std::atomic<bool> was_cancelled = false;
     ViewOptions options;
     options.scenes = {(folder / "town.glb").string()};
-    options.load = [&](const std::string&) {
+    options.load = [&](const std::string&, const scene::TakeTraits&) {
       const auto end = std::chrono::steady_clock::now() + 60s;
       try {
         while (std::chrono::steady_clock::now() < end)
