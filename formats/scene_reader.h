@@ -38,8 +38,8 @@ class SceneFile {
   /// accessors state and that nothing has checked; nothing where they state none.
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t mesh) const;
 
-  /// Returns which of the materials some mesh says that it uses, before meshes are read: fewer entries
-  /// than scene().materials count as false.
+  /// Returns which of the file's materials some mesh says that it uses. Those that were added when
+  /// meshes were read are not among them.
   std::vector<bool> list_used_materials() const;
 
   /// Returns a mesh. `index` < mesh_count(). `mapped` gets where its primitives lie in the file.
