@@ -127,12 +127,20 @@ std::optional<glm::dvec3> Picture::find_mean(bool use_alpha) const {
 glm::dvec3 Picture::find_mean_between(const glm::dvec2& low, const glm::dvec2& high) const {
   const PixelRange x = find_range(low.x, high.x, width_);
   const PixelRange y = find_range(1 - high.y, 1 - low.y, height_);  // rows run down
+  if (x.count < width_ || y.count < height_)
+    return find_mean_of_box(x.first, y.first, x.count, y.count);
+  std::call_once(whole_->found, [&] { whole_->mean = find_mean_of_box(0, 0, x.count, y.count); });
+  return whole_->mean;
+}
+
+glm::dvec3 Picture::find_mean_of_box(std::int64_t x, std::int64_t y, std::int64_t columns,
+                                     std::int64_t rows) const {
   glm::dvec3 sum(0);
   const auto wrap = [](std::int64_t i, int size) { return (i % size + size) % size; };
-  for (std::int64_t j = y.first; j < y.first + y.count; ++j)
-    for (std::int64_t i = x.first; i < x.first + x.count; ++i)
+  for (std::int64_t j = y; j < y + rows; ++j)
+    for (std::int64_t i = x; i < x + columns; ++i)
       sum += to_linear(pixels_.get() + 4 * (wrap(j, height_) * width_ + wrap(i, width_)));
-  return sum / static_cast<double>(x.count * y.count);
+  return sum / static_cast<double>(columns * rows);
 }
 
 std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha,

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <span>
@@ -36,16 +37,26 @@ class Picture {
   /// Returns the mean of the pixels between two texture coordinates (from the lower left, 1 being
   /// the picture's width and height, beyond which it repeats), each pixel alike, as linear Rec.
   /// 709. A part without width counts as a pixel's; coordinates that are no numbers stand for all
-  /// of it.
+  /// of it. The mean of all is found once. Safe to call from several threads.
   glm::dvec3 find_mean_between(const glm::dvec2& low, const glm::dvec2& high) const;
 
  private:
   using Pixels = std::unique_ptr<unsigned char, void (*)(void*)>;
   Picture(Pixels pixels, int width, int height)
       : pixels_(std::move(pixels)), width_(width), height_(height) {}
+  // Of the box whose first pixel and size are given, beyond which the picture repeats.
+  glm::dvec3 find_mean_of_box(std::int64_t x, std::int64_t y, std::int64_t columns,
+                              std::int64_t rows) const;
+
+  // A picture that repeats is asked for the mean of all of it by each surface.
+  struct Whole {
+    std::once_flag found;
+    glm::dvec3 mean{0};
+  };
 
   Pixels pixels_;
   int width_, height_;
+  std::unique_ptr<Whole> whole_ = std::make_unique<Whole>();
 };
 
 /// Returns the mean of a PNG or JPEG, whose values are sRGB, as linear Rec. 709. Each pixel counts

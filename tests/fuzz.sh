@@ -40,7 +40,7 @@ timed "fuzzers, by clang with sanitizers" pipelines/build.sh fuzz "${targets[@]}
 
 # The tests' suppressions: what libraries lose is not for us to free.
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.supp:print_suppressions=0
-export UBSAN_OPTIONS=suppressions=$root/tests/ubsan.supp:print_stacktrace=1
+export UBSAN_OPTIONS=print_stacktrace=1
 
 # Ends with 1 where the fuzzer has found something.
 run_fuzzer() {

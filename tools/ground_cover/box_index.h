@@ -22,16 +22,28 @@ struct Box {
 /// Returns the box around finite points, of which there is at least one.
 Box find_box(const std::vector<std::vector<glm::dvec2>>& rings);
 
+/// What an area has of a square: nothing, a part, or all of it.
+enum class Share : std::uint8_t { none, part, all };
+
+/// Returns what rings, of which an odd number goes round the places of their area, have of a box.
+/// Says `part` wherever an outline comes within a millimetre of it.
+Share find_share(const std::vector<std::vector<glm::dvec2>>& rings, const Box& box);
+
 /// A box lies in the squares of the grid that is just wider than it, at most four: so any box costs
 /// the same, whatever its size. Coordinates in metres, finite and below 1e9.
 class BoxIndex {
  public:
   /// Numbers ascend from call to call.
   void add(std::uint32_t number, const Box& box);
+  /// Splits squares of many boxes for find_first(), once all are added: areas as long as their
+  /// square, which cross it aslant, would all be asked. `find_share(number, box)` says what an area
+  /// has of a part of the square. Lists grow to 64 times their length at most, together.
+  template <class FindShare>
+  void split_crowded(const FindShare& find_share);
   /// Returns the numbers of the boxes whose squares meet a rectangle, each once, in order.
   std::vector<std::uint32_t> find(const Box& box) const;
   /// Returns the least number that `holds` accepts of the boxes whose squares hold a place, or
-  /// `none`. It asks for few of them where numbers were added in order.
+  /// `none`. After split_crowded(), `holds` must agree with what that was told.
   template <class Holds>
   std::uint32_t find_first(const glm::dvec2& place, const Holds& holds) const;
 
@@ -39,12 +51,60 @@ class BoxIndex {
 
  private:
   static constexpr int levels = 28;
-  // Returns the boxes of a level that lie in the square of a place, null where there are none.
+  static constexpr std::size_t crowded = 64;  // boxes in a square
+  // A square, or a quarter of one that is split.
+  struct Part {
+    std::vector<std::uint32_t> numbers;
+    std::uint32_t first_quarter = 0;  // in parts_; 0: it is not split
+  };
+  // Returns the boxes of a level that lie in the square of a place, or in the part of it that is not
+  // split; null where there are none.
   const std::vector<std::uint32_t>* find_square(const glm::dvec2& place, int level) const;
+  static Box find_box_of_square(std::uint64_t key);
+  static Box find_quarter(const Box& box, std::uint32_t quarter);
 
   std::array<bool, levels> used_{};
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> squares_;
+  std::vector<Part> parts_;
+  std::unordered_map<std::uint64_t, std::uint32_t> split_;  // squares: their places in parts_
 };
+
+template <class FindShare>
+void BoxIndex::split_crowded(const FindShare& find_share) {
+  constexpr double finest_part_m = 1;
+  struct Waiting {
+    std::uint32_t part;
+    Box box;
+  };
+  for (const auto& [key, numbers] : squares_) {
+    if (numbers.size() <= crowded) continue;
+    split_.emplace(key, static_cast<std::uint32_t>(parts_.size()));
+    std::vector<Waiting> waiting{
+        {static_cast<std::uint32_t>(parts_.size()), find_box_of_square(key)}};
+    parts_.push_back({numbers});
+    std::size_t room = 64 * numbers.size();
+    // The largest parts first, so that the room is spent evenly.
+    for (std::size_t next = 0; next < waiting.size(); ++next) {
+      const auto [part, box] = waiting[next];
+      const std::vector<std::uint32_t> whole = parts_[part].numbers;
+      if (whole.size() <= crowded || 4 * whole.size() > room ||
+          box.high.x - box.low.x < 2 * finest_part_m)
+        continue;
+      parts_[part] = {{}, static_cast<std::uint32_t>(parts_.size())};
+      for (std::uint32_t quarter = 0; quarter < 4; ++quarter) {
+        const Box inner = find_quarter(box, quarter);
+        waiting.push_back({static_cast<std::uint32_t>(parts_.size()), inner});
+        std::vector<std::uint32_t>& kept = parts_.emplace_back().numbers;
+        for (const std::uint32_t number : whole) {
+          const Share share = find_share(number, inner);
+          if (share != Share::none) kept.push_back(number);
+          if (share == Share::all) break;  // no later one is the first
+        }
+        room -= kept.size();
+      }
+    }
+  }
+}
 
 template <class Holds>
 std::uint32_t BoxIndex::find_first(const glm::dvec2& place, const Holds& holds) const {

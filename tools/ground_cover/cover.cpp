@@ -57,6 +57,11 @@ void Cover::finish() {
     area_index_.add(i, boxes_.back());
     if (i < deciding) depth_index_.add(i, boxes_.back());
   }
+  const auto share_of = [&](std::uint32_t i, const Box& box) {
+    return find_share(areas_[i].rings, box);
+  };
+  area_index_.split_crowded(share_of);
+  depth_index_.split_crowded(share_of);
   for (std::uint32_t i = 0; i < markings_.size(); ++i)
     marking_index_.add(i, find_box({markings_[i].ring}));
   std::erase_if(ramps_, [&](const RampFacet& facet) { return is_bad(facet.ring); });

@@ -60,7 +60,8 @@ std::vector<Join> find_joins(const EdgeTable& edges, const std::vector<EdgeUse>&
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
   for (const EdgeUse& use : open) {
-    const auto [a, b] = std::minmax(find_target(use.low), find_target(use.high));
+    // Of a list, so that it returns values: of two temporaries it returns references.
+    const auto [a, b] = std::minmax({find_target(use.low), find_target(use.high)});
     if (a != b) ++uses[{a, b}];
   }
   const bool closed =

@@ -25,6 +25,9 @@ void Faces::add(const Faces& other, std::size_t face) {
   const std::size_t begin = face == 0 ? 0 : other.ends[face - 1];
   corners.insert(corners.end(), other.corners.begin() + static_cast<std::ptrdiff_t>(begin),
                  other.corners.begin() + static_cast<std::ptrdiff_t>(other.ends[face]));
+  if (!other.places.empty())
+    places.insert(places.end(), other.places.begin() + static_cast<std::ptrdiff_t>(begin),
+                  other.places.begin() + static_cast<std::ptrdiff_t>(other.ends[face]));
   ends.push_back(static_cast<std::uint32_t>(corners.size()));
   materials.push_back(other.materials[face]);
 }
@@ -82,10 +85,13 @@ void GroupReader::take_statement(std::string_view key, std::string_view rest) {
     int numbers = 0;
     while (take_number(rest, number)) ++numbers;
     if (numbers >= 6) skipped_.add("colour of a vertex");
+  } else if (key == "vt") {
+    ++seen_texture_places_;
   } else if (key == "usemtl") {
     const auto known = materials_.find(std::string(city::trim(rest)));
     material_ = known == materials_.end() ? nullptr : &known->second;
-    if (material_ && material_->has_texture) skipped_.add("texture (map_Kd) of usemtl");
+    if (material_ && material_->texture && !vertices_.keeps_texture_places)
+      skipped_.add("texture (map_Kd) of usemtl");
   } else if (key == "mtllib") {
     read_library(rest);
   } else if (key == "l" || key == "p") {
@@ -95,27 +101,19 @@ void GroupReader::take_statement(std::string_view key, std::string_view rest) {
   }
 }
 
-// The name may hold blanks, so all of it is tried first.
 void GroupReader::read_library(std::string_view names) {
   if (folder_of_.empty()) {
     warnings_.push_back(lines_.name() + ": packed, so no colours are read from " +
                         std::string(names));
     return;
   }
-  std::vector<std::string> tries{std::string(city::trim(names))};
-  if (find_library(folder_of_, tries.front()).empty()) {
-    tries.clear();
-    for (std::string_view word; !(word = take_word(names)).empty();) tries.emplace_back(word);
-  }
-  for (const std::string& name : tries) {
-    const std::filesystem::path file = find_library(folder_of_, name);
-    if (file.empty())
-      warnings_.push_back(lines_.name() + ":" + std::to_string(lines_.number()) +
-                          ": the material library " + name +
-                          " does not lie beside the file: its colours are absent");
-    else
-      read_materials(file, materials_);
-  }
+  std::vector<std::string> absent;
+  for (const std::filesystem::path& file : find_libraries(folder_of_, names, absent))
+    read_materials(file, folder_of_.parent_path(), materials_);
+  for (const std::string& name : absent)
+    warnings_.push_back(lines_.name() + ":" + std::to_string(lines_.number()) +
+                        ": the material library " + name +
+                        " does not lie beside the file: its colours are absent");
 }
 
 // "7", "7/1", "7//2" or "7/1/2"; a negative number counts back from the last vertex so far.
@@ -134,12 +132,30 @@ std::uint32_t GroupReader::to_vertex(std::string_view word) const {
   return static_cast<std::uint32_t>(at);
 }
 
+// Returns no_place where the corner has no place in a picture, or none that is there.
+std::uint32_t GroupReader::to_texture_place(std::string_view word) const {
+  const std::size_t slash = word.find('/');
+  if (slash == std::string_view::npos) return no_place;
+  std::int64_t number = 0;
+  const char *first = word.data() + slash + 1, *last = word.data() + word.size();
+  const auto [end, error] = std::from_chars(first, last, number);
+  const auto seen = static_cast<std::int64_t>(seen_texture_places_);
+  const std::int64_t at = number < 0 ? seen + number : number - 1;
+  if (error != std::errc() || (end != last && *end != '/') || number == 0 || at < 0 ||
+      at >= static_cast<std::int64_t>(vertices_.texture_places.size()))
+    return no_place;
+  return static_cast<std::uint32_t>(at);
+}
+
 void GroupReader::read_face(std::string_view rest) {
   const std::size_t begin = current_.corners.size();
-  for (std::string_view word; !(word = take_word(rest)).empty() && word.front() != '#';)
+  for (std::string_view word; !(word = take_word(rest)).empty() && word.front() != '#';) {
     current_.corners.push_back(to_vertex(word));
+    if (vertices_.keeps_texture_places) current_.places.push_back(to_texture_place(word));
+  }
   if (current_.corners.size() - begin < 3) {
     current_.corners.resize(begin);
+    if (vertices_.keeps_texture_places) current_.places.resize(begin);
     skipped_.add("polygon: of fewer than three vertices");
     return;
   }

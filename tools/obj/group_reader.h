@@ -17,11 +17,14 @@
 
 namespace nightcity::obj {
 
+constexpr std::uint32_t no_place = 0xFFFFFFFFu;
+
 /// The faces of one object: `corners` holds the vertices of all of them, one face after the other.
 struct Faces {
   std::string name;                        // "" = the file names none
   bool continued = false;                  // a later piece of the object before it
   std::vector<std::uint32_t> corners;      // numbers of vertices
+  std::vector<std::uint32_t> places;       // in pictures, of each corner; empty: they are not read
   std::vector<std::uint32_t> ends;         // of each face in `corners`
   std::vector<const Material*> materials;  // of each face; null: none
 
@@ -48,6 +51,7 @@ class GroupReader {
   void read_face(std::string_view rest);
   void read_library(std::string_view names);
   std::uint32_t to_vertex(std::string_view word) const;
+  std::uint32_t to_texture_place(std::string_view word) const;
   void take_statement(std::string_view key, std::string_view rest);
   Faces give(bool goes_on);
 
@@ -56,7 +60,7 @@ class GroupReader {
   std::filesystem::path folder_of_;  // the OBJ, beside which its libraries lie; empty: packed
   std::map<std::string, Material> materials_;
   const Material* material_ = nullptr;
-  std::size_t seen_vertices_ = 0, faces_ = 0;
+  std::size_t seen_vertices_ = 0, seen_texture_places_ = 0, faces_ = 0;
   Faces current_;
   bool goes_on_ = false;  // a piece of the current object has been given out
   bool is_over_ = false;

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "tools/city/cut_picture.h"
 #include "tools/city/merge_parts.h"
 #include "tools/in_order.h"
+#include "tools/obj/face_pictures.h"
 #include "tools/obj/group_reader.h"
 #include "tools/obj/object_kinds.h"
 #include "tools/obj/text_lines.h"
@@ -61,7 +63,8 @@ struct Batch {
   std::function<void()> rest;
 };
 
-city::RawObject to_raw(const Faces& faces, const Vertices& vertices, city::ReadReport& report) {
+city::RawObject to_raw(const Faces& faces, const Vertices& vertices, const FacePictures* pictures,
+                       city::ReadReport& report) {
   city::RawObject raw;
   raw.object.id = faces.name;
   raw.object.type = find_object_type(faces.name);
@@ -70,22 +73,35 @@ city::RawObject to_raw(const Faces& faces, const Vertices& vertices, city::ReadR
   if (raw.object.type != city::ObjectType::building && !faces.continued)
     ++report.assumed["kind of an object, by its name: " + std::string(name_of(raw.object.type))];
   std::size_t at = 0;
+  std::vector<std::uint32_t> places;  // of the polygon's vertices, in pictures
+  std::int64_t pixels_left = city::max_object_pixels;
+  city::SkipCounter skipped;
   for (std::size_t face = 0; face < faces.size(); ++face) {
     city::Polygon polygon;
+    places.clear();
     for (; at < faces.ends[face]; ++at) {
       const glm::dvec3& p = vertices.places[faces.corners[at]];
-      if (polygon.exterior.empty() || polygon.exterior.back() != p) polygon.exterior.push_back(p);
+      if (!polygon.exterior.empty() && polygon.exterior.back() == p) continue;
+      polygon.exterior.push_back(p);
+      places.push_back(faces.places.empty() ? no_place : faces.places[at]);
     }
-    while (polygon.exterior.size() > 1 && polygon.exterior.front() == polygon.exterior.back())
+    while (polygon.exterior.size() > 1 && polygon.exterior.front() == polygon.exterior.back()) {
       polygon.exterior.pop_back();
+      places.pop_back();
+    }
     if (polygon.exterior.size() < 3) {
       ++report.skipped["polygon: of fewer than three vertices"];
       continue;
     }
     if (raw.object.type == city::ObjectType::relief) polygon.surface = city::SurfaceType::terrain;
-    if (const Material* material = faces.materials[face]) polygon.diffuse_colour = material->colour;
+    if (const Material* material = faces.materials[face]) {
+      polygon.diffuse_colour = material->colour;
+      if (pictures && material->texture)
+        pictures->lay(*material->texture, places, polygon, pixels_left, skipped);
+    }
     raw.polygons.push_back({std::move(polygon), -1, 0});
   }
+  skipped.merge_into(report.skipped);
   return raw;
 }
 
@@ -149,6 +165,8 @@ city::CityHead read_obj_head(const std::filesystem::path& file, const city::Read
 city::ReadReport read_obj_document(const city::Document& document, const city::ReadOptions& options,
                                    const city::ObjectStage& stage) {
   const Vertices vertices = read_vertices(document, options);
+  std::optional<FacePictures> pictures;
+  if (vertices.keeps_texture_places) pictures.emplace(document, vertices, options.textures);
   ObjectSource source(document, vertices);
   city::ReadReport report;
   in_order(
@@ -157,8 +175,9 @@ city::ReadReport read_obj_document(const city::Document& document, const city::R
         Batch result;
         std::vector<city::CityObject> objects;
         for (const Faces& faces : batch)
-          objects.push_back(
-              city::merge_parts(to_raw(faces, vertices, result.report), options, result.report));
+          objects.push_back(city::merge_parts(
+              to_raw(faces, vertices, pictures ? &*pictures : nullptr, result.report), options,
+              result.report));
         result.rest = stage(std::move(objects));
         return result;
       },

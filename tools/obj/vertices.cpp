@@ -42,18 +42,29 @@ Vertices read_vertices(const city::Document& document, const city::ReadOptions& 
   const city::MeshPlacement& placement = options.mesh;
   TextLines lines(document.open(), document.name);
   Names objects, groups;
+  result.keeps_texture_places = options.textures != city::Textures::none && most == 0;
+  const auto check_count = [&](std::size_t count) {
+    if (count >= static_cast<std::size_t>(placement.max_vertices))
+      throw Error(document.name, lines.number(),
+                  "the file has more vertices than [city] obj_max_vertices = " +
+                      std::to_string(placement.max_vertices));
+  };
   for (std::string_view line; lines.next(line);) {
     const std::string_view key = take_word(line);
     if (key == "o") objects.add(line);
     if (key == "g") groups.add(line);
+    if (result.keeps_texture_places && key == "mtllib") result.libraries.emplace_back(line);
+    if (result.keeps_texture_places && key == "vt") {
+      check_count(result.texture_places.size());
+      glm::dvec2 place(0);
+      if (take_number(line, place.x)) take_number(line, place.y);  // one that is absent is 0
+      result.texture_places.emplace_back(place);
+    }
     if (key != "v") continue;
     glm::dvec3 p;
     if (!take_number(line, p.x) || !take_number(line, p.y) || !take_number(line, p.z))
       throw Error(document.name, lines.number(), "a vertex (v) is not three finite numbers");
-    if (result.places.size() >= static_cast<std::size_t>(placement.max_vertices))
-      throw Error(document.name, lines.number(),
-                  "the file has more vertices than [city] obj_max_vertices = " +
-                      std::to_string(placement.max_vertices));
+    check_count(result.places.size());
     result.places.push_back(p);
     if (result.places.size() == most) break;
   }

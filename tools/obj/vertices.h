@@ -1,6 +1,7 @@
 // The first pass over an OBJ: its vertices, and what its objects are called by.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ enum class Grouping : std::uint8_t {
 
 struct Vertices {
   std::vector<glm::dvec3> places;  // E, N, H by the options
+  /// In pictures, from the lower left corner (vt), and what the file says of libraries of colours
+  /// (mtllib): where the options have textures read.
+  std::vector<glm::vec2> texture_places;
+  std::vector<std::string> libraries;
+  bool keeps_texture_places = false;
   Grouping grouping = Grouping::by_connection;
   bool y_up = false;       // which axis of the file points up
   bool up_is_said = true;  // by the options; else it was taken from the extents

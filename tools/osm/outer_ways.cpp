@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "tools/osm/tag_values.h"
@@ -22,18 +26,40 @@ constexpr std::array<std::string_view, 32> kinds = {
     "office",   "power",         "military",  "indoor",          "sport",   "parking",  "craft",
     "club",     "healthcare",    "emergency", "public_transport"};
 
-using Corners = std::unordered_set<osmium::Location>;
+// Finds the ring that a way lies on, in a time that does not grow with the number of rings.
+class RingFinder {
+ public:
+  /// Rings are numbered in this order.
+  void add(const osmium::NodeRefList& ring) {
+    std::unordered_set<osmium::Location> places;
+    for (const osmium::NodeRef& node : ring)
+      if (places.insert(node.location()).second)
+        rings_at_[node.location()].push_back(static_cast<std::uint32_t>(rings_.size()));
+    rings_.push_back(std::move(places));
+  }
 
-Corners find_corners(const osmium::NodeRefList& ring) {
-  Corners corners;
-  for (const osmium::NodeRef& node : ring) corners.insert(node.location());
-  return corners;
-}
+  /// Returns the first ring that has all nodes of the way; none without.
+  std::optional<std::size_t> find(const osmium::Way& way) const {
+    // Many rings may touch each other in one place, but not in all.
+    const std::vector<std::uint32_t>* fewest = nullptr;
+    for (const osmium::NodeRef& node : way.nodes()) {
+      const auto at = rings_at_.find(node.location());
+      if (at == rings_at_.end()) return std::nullopt;
+      if (!fewest || at->second.size() < fewest->size()) fewest = &at->second;
+    }
+    if (!fewest) return std::nullopt;
+    for (const std::uint32_t ring : *fewest)
+      if (std::all_of(way.nodes().begin(), way.nodes().end(), [&](const osmium::NodeRef& node) {
+            return rings_[ring].contains(node.location());
+          }))
+        return ring;
+    return std::nullopt;
+  }
 
-bool lies_on(const osmium::Way& way, const Corners& ring) {
-  return std::all_of(way.nodes().begin(), way.nodes().end(),
-                     [&](const osmium::NodeRef& node) { return ring.contains(node.location()); });
-}
+ private:
+  std::vector<std::unordered_set<osmium::Location>> rings_;
+  std::unordered_map<osmium::Location, std::vector<std::uint32_t>> rings_at_;
+};
 
 OsmTags to_tags(const osmium::TagList& list) {
   OsmTags tags;
@@ -71,52 +97,72 @@ void OuterWays::add_untagged(const osmium::Relation& relation,
                              const std::vector<const osmium::Way*>& ways,
                              const osmium::Area& area) {
   std::vector<OuterRing> rings;
+  RingFinder outer_finder, inner_finder;
+  std::vector<std::size_t> outer_of;  // of each inner ring
+  for (const osmium::OuterRing& outer : area.outer_rings()) {
+    outer_finder.add(outer);
+    for (const osmium::InnerRing& inner : area.inner_rings(outer)) {
+      inner_finder.add(inner);
+      outer_of.push_back(rings.size());
+    }
+    rings.emplace_back();
+  }
+  std::vector<std::vector<osmium::object_id_type>> said_by(rings.size());
+  for (const osmium::Way* way : ways) {
+    const auto number = outer_finder.find(*way);
+    if (!number) continue;
+    OuterRing& ring = rings[*number];
+    if (way->is_closed()) ring.own_way = way->id();
+    const OsmTags tags = select_(way->tags());
+    if (tags.empty()) continue;  // a piece of the outline that somebody has cut
+    ring.tags = said_by[*number].empty() ? tags : find_common(ring.tags, tags);
+    said_by[*number].push_back(way->id());
+  }
+  for (std::size_t n = 0; n < rings.size(); ++n) {
+    // Ways that say different things make no area together, and stay what they are.
+    const bool agree = std::any_of(keys_.begin(), keys_.end(), [&](const std::string& key) {
+      return rings[n].tags.contains(key);
+    });
+    if (agree)
+      replaced_.insert(said_by[n].begin(), said_by[n].end());
+    else
+      rings[n].tags.clear();
+  }
+  for (const osmium::Way* way : ways) {
+    const auto number = way->is_closed() ? inner_finder.find(*way) : std::nullopt;
+    if (!number) continue;
+    const OsmTags tags = select_(way->tags());
+    if (!tags.empty() && tags == rings[outer_of[*number]].tags) replaced_.insert(way->id());
+  }
   OsmTags of_relation = to_tags(relation.tags());
   of_relation.erase("type");
-  std::vector<OsmTags> own;
-  for (const osmium::OuterRing& outer : area.outer_rings()) {
-    const Corners corners = find_corners(outer);
-    OuterRing& ring = rings.emplace_back();
-    bool is_first = true;
-    for (const osmium::Way* way : ways) {
-      if (!lies_on(*way, corners)) continue;
-      const OsmTags tags = select_(way->tags());
-      if (way->is_closed()) ring.own_way = way->id();
-      if (tags.empty()) continue;  // a piece of the outline that somebody has cut
-      ring.tags = is_first ? tags : find_common(ring.tags, tags);
-      is_first = false;
-      replaced_.insert(way->id());
-    }
+  bool any = false;
+  for (OuterRing& ring : rings) {
     if (ring.tags.empty()) continue;
-    own.push_back(ring.tags);
-    for (const osmium::InnerRing& inner : area.inner_rings(outer)) {
-      const Corners hole = find_corners(inner);
-      for (const osmium::Way* way : ways)
-        if (way->is_closed() && lies_on(*way, hole) && select_(way->tags()) == ring.tags)
-          replaced_.insert(way->id());
-    }
+    any = true;
     ring.tags.insert(of_relation.begin(), of_relation.end());
   }
-  if (!own.empty()) rings_[relation.id()] = std::move(rings);
+  if (any) rings_[relation.id()] = std::move(rings);
 }
 
 void OuterWays::add_tagged(const osmium::Relation& relation,
                            const std::vector<const osmium::Way*>& ways, const osmium::Area& area) {
   const OsmTags tags = select_(relation.tags());
+  std::vector<const osmium::Way*> same;
+  for (const osmium::Way* way : ways)
+    if (!way->tags().empty() && is_same_thing(tags, select_(way->tags()))) same.push_back(way);
+  if (same.empty()) return;
+  RingFinder finder;
   std::size_t rings = 0;
-  const osmium::Way* last = nullptr;
   for (const osmium::OuterRing& outer : area.outer_rings()) {
+    finder.add(outer);
     ++rings;
-    Corners corners;
-    for (const osmium::Way* way : ways) {
-      if (way->tags().empty() || !is_same_thing(tags, select_(way->tags()))) continue;
-      if (corners.empty()) corners = find_corners(outer);
-      if (!lies_on(*way, corners)) continue;
-      replaced_.insert(way->id());
-      if (way->is_closed()) last = way;
-    }
   }
-  if (rings == 1 && last) more_tags_[relation.id()] = to_tags(last->tags());
+  for (const osmium::Way* way : same) {
+    if (!finder.find(*way)) continue;
+    replaced_.insert(way->id());
+    if (rings == 1 && way->is_closed()) more_tags_[relation.id()] = to_tags(way->tags());
+  }
 }
 
 // A value that both have, or "yes" on one side, for what the other says more exactly.

@@ -84,7 +84,7 @@ TEST(Drape, EveryVertexLiesJustAboveTheGroundAndKeepsItsColour) {
   TileStore tiles(folder / "x", 1000, 0);
   const auto ground = [](const glm::dvec2& p) { return std::optional(40 + 0.1 * p.x); };
   EXPECT_GT(store.drape(ground, tiles), 40u);
-  const SceneMesh laid = tiles.mesh(tiles.tiles().at(0)).mesh;
+  const SceneMesh laid = tiles.mesh(tiles.tiles().at(0), glm::dmat4(1)).mesh;
   ASSERT_EQ(laid.primitives.size(), 1u);
   EXPECT_EQ(laid.primitives[0].material, red);
   for (const glm::vec3& p : laid.primitives[0].positions) {

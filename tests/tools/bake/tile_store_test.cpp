@@ -29,7 +29,7 @@ TEST(TileStore, KeepsCoordinatesToATenthOfAMillimetreFarFromTheOrigin) {
   store.add({&one, 1}, 3);
   ASSERT_EQ(store.tiles().size(), 1u);
   const TileKey key = store.tiles()[0];
-  const SceneMesh mesh = store.mesh(key).mesh;
+  const SceneMesh mesh = store.mesh(key, glm::dmat4(1)).mesh;
   ASSERT_EQ(mesh.primitives.size(), 1u);
   for (int i = 0; i < 3; ++i)
     EXPECT_LT(
@@ -68,7 +68,7 @@ TEST(TileStore, LosesNoTriangleAndKeepsTheirOrder) {
   }
   std::size_t found = 0;
   for (const TileKey& key : store.tiles()) {
-    const SceneMesh mesh = store.mesh(key).mesh;
+    const SceneMesh mesh = store.mesh(key, glm::dmat4(1)).mesh;
     for (const ScenePrimitive& primitive : mesh.primitives) {
       found += primitive.indices.size() / 3;
       std::uint32_t last = 0;
@@ -95,9 +95,28 @@ TEST(TileStore, ATriangleWithoutAreaIsNotWritten) {
                         to_code(BakeMaterial::wall),
                         NodeKind::city};
   store.add(std::vector{seen, sliver}, 0);
-  const SceneMesh mesh = store.mesh(store.tiles().at(0)).mesh;
+  const SceneMesh mesh = store.mesh(store.tiles().at(0), glm::dmat4(1)).mesh;
   ASSERT_EQ(mesh.primitives.size(), 1u);
   EXPECT_EQ(mesh.primitives[0].indices.size(), 3u);
+}
+
+// Floats from 16 on are 1.9e-6 m apart, and those from 8192 on 0.98 mm: a side of a tenth of a
+// millimetre has its length in the tile, and none where the tile stands 8 km from the origin.
+TEST(TileStore, ATriangleThatLosesItsAreaWhereItsTileStandsIsNotWritten) {
+  const test::TempFolder folder;
+  TileStore store(folder / "x", 250, 0);
+  const Triangle sliver{
+      {{20, 40, 2}, {20.0001, 40, 2}, {20, 40, 10}}, to_code(BakeMaterial::wall), NodeKind::city};
+  store.add(std::vector{triangle({10, 10, 0}, 4), sliver}, 0);
+  const TileKey key = store.tiles().at(0);
+  for (const bool is_far : {false, true}) {
+    glm::dmat4 to_model(1);
+    if (is_far) to_model[3].x = 8250;
+    const TileStore::TileMesh tile = store.mesh(key, to_model);
+    ASSERT_EQ(tile.mesh.primitives.size(), 1u);
+    EXPECT_EQ(tile.mesh.primitives[0].indices.size(), is_far ? 3u : 6u);
+    EXPECT_EQ(tile.flat, is_far ? 1u : 0u);
+  }
 }
 
 TEST(TileStore, WeldsEqualVerticesOfOneObjectOnly) {
@@ -108,7 +127,7 @@ TEST(TileStore, WeldsEqualVerticesOfOneObjectOnly) {
                                      {{a, c, d}, to_code(BakeMaterial::wall), NodeKind::city}};
   store.add(square, 0);
   store.add(square, 1);
-  const SceneMesh mesh = store.mesh(store.tiles().at(0)).mesh;
+  const SceneMesh mesh = store.mesh(store.tiles().at(0), glm::dmat4(1)).mesh;
   EXPECT_EQ(mesh.primitives.at(0).positions.size(), 8u);
   EXPECT_EQ(mesh.primitives.at(0).indices.size(), 12u);
 }

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+
+#include "tools/mesh/owner_finder.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -60,6 +63,60 @@ TEST(BoxIndex, TheFirstThatHoldsAPlaceIsTheLeastOfAll) {
   }
   EXPECT_GT(held, 500);
   EXPECT_LT(held, 1990);
+}
+
+// Strips of 200 m through a square of 256 m, in all directions.
+std::vector<std::vector<Ring>> make_strips(std::size_t count, std::mt19937& random) {
+  std::uniform_real_distribution<double> place(-150, -100), turn(0, 6.3), half_width(0.05, 4);
+  std::vector<std::vector<Ring>> strips;
+  while (strips.size() < count) {
+    const glm::dvec2 middle(place(random), place(random));
+    const double angle = turn(random);
+    const glm::dvec2 along = 100.0 * glm::dvec2(std::cos(angle), std::sin(angle)),
+                     across = half_width(random) / 100 * glm::dvec2(-along.y, along.x);
+    strips.push_back({{middle - along - across, middle + along - across, middle + along + across,
+                       middle - along + across}});
+  }
+  return strips;
+}
+
+TEST(BoxIndex, ASplitSquareGivesTheSameFirstAndAsksFewer) {
+  std::mt19937 random(5);
+  const auto strips = make_strips(2000, random);
+  BoxIndex whole, split;
+  for (std::uint32_t i = 0; i < strips.size(); ++i) {
+    whole.add(i, find_box(strips[i]));
+    split.add(i, find_box(strips[i]));
+  }
+  split.split_crowded([&](std::uint32_t i, const Box& box) { return find_share(strips[i], box); });
+  std::uniform_real_distribution<double> place(-260, 20);
+  std::size_t asked_whole = 0, asked_split = 0, held = 0;
+  for (int n = 0; n < 5000; ++n) {
+    const glm::dvec2 p(place(random), place(random));
+    const auto find = [&](const BoxIndex& index, std::size_t& asked) {
+      return index.find_first(p,
+                              [&](std::uint32_t i) { return ++asked, mesh::holds(strips[i], p); });
+    };
+    const std::uint32_t first = find(whole, asked_whole);
+    EXPECT_EQ(find(split, asked_split), first) << p.x << " " << p.y;
+    held += first != BoxIndex::none;
+  }
+  EXPECT_GT(held, 2000u);
+  EXPECT_LT(held, 4900u);
+  EXPECT_LT(20 * asked_split, asked_whole);
+}
+
+TEST(BoxIndex, AnAreaHasNoneAPartOrAllOfABox) {
+  const std::vector<Ring> court{{{0, 0}, {10, 0}, {10, 10}, {0, 10}},
+                                {{4, 4}, {6, 4}, {6, 6}, {4, 6}}};
+  EXPECT_EQ(find_share(court, {{1, 1}, {3, 9}}), Share::all);
+  EXPECT_EQ(find_share(court, {{4.5, 4.5}, {5.5, 5.5}}), Share::none);  // in the hole
+  EXPECT_EQ(find_share(court, {{11, 1}, {12, 9}}), Share::none);
+  EXPECT_EQ(find_share(court, {{3, 3}, {7, 7}}), Share::part);  // the hole is inside
+  EXPECT_EQ(find_share(court, {{-1, -1}, {11, 11}}), Share::part);
+  EXPECT_EQ(find_share(court, {{9, 1}, {11, 2}}), Share::part);
+  const std::vector<Ring> aslant{{{0, 0}, {10, 10}, {9, 11}, {-1, 1}}};
+  EXPECT_EQ(find_share(aslant, {{6, 0}, {10, 4}}), Share::none) << "in its box, beside it";
 }
 
 }  // namespace

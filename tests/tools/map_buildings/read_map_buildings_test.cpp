@@ -345,7 +345,8 @@ TEST(MapBuildings, AnOutlineCutIntoTaggedWaysIsOneBuilding) {
   const char *first = "<nd ref='1'/><nd ref='2'/><nd ref='3'/>",
              *second = "<nd ref='3'/><nd ref='4'/><nd ref='1'/>",
              *tag = "<tag k='building' v='yes'/>";
-  for (const char* other : {tag, ""}) {
+  // Two that say different things are no area together, and are counted as ways that are open.
+  for (const char* other : {tag, "", "<tag k='building:part' v='yes'/>"}) {
     const TemporaryFile file("<osm version='0.6'>" + nodes + way(10, first, tag) +
                                  way(11, second, other) +
                                  "<relation id='20'><member type='way' ref='10' role='outer'/>"
@@ -355,8 +356,45 @@ TEST(MapBuildings, AnOutlineCutIntoTaggedWaysIsOneBuilding) {
     std::vector<std::string> ids;
     const city::ObjectSink sink = [&](city::CityObject&& o) { ids.push_back(o.id); };
     const city::ReadReport report = read_map_buildings(file.path(), {}, city::deliver_to(sink));
+    if (std::string_view(other).find("part") != std::string_view::npos) {
+      EXPECT_TRUE(ids.empty());
+      EXPECT_EQ(report.skipped.at("outline that crosses itself, is open or incomplete"), 2u);
+      continue;
+    }
     EXPECT_EQ(ids, std::vector<std::string>{"relation/20"});
     EXPECT_TRUE(report.skipped.empty());
+  }
+}
+
+// 4,000 rings of 4,000 ways: the time must not grow with their product (16 million comparisons of
+// ways with rings took most of the run), for a relation of either kind.
+TEST(MapBuildings, ThousandsOfRingsOfOneRelationAreBuildings) {
+  constexpr int rings = 4000;
+  for (const bool tagged : {false, true}) {
+    Map map;
+    std::string members;
+    for (int n = 0; n < rings; ++n) {
+      const int way =
+          map.add_rectangle(20.0 * (n % 64), 20.0 * (n / 64), 10, 10, "building=yes,height=9");
+      members += "<member type='way' ref='" + std::to_string(way) + "' role='outer'/>";
+    }
+    std::string text = map.text();
+    text.insert(text.rfind("</osm>"), "<relation id='9000000' version='1'>" + members +
+                                          "<tag k='type' v='multipolygon'/>" +
+                                          (tagged ? "<tag k='building' v='yes'/>" : "") +
+                                          "</relation>");
+    const TemporaryFile file(text, ".osm");
+    city::ReadOptions options;
+    options.max_way_nodes = 5 * rings;
+    std::size_t of_ways = 0, of_relations = 0;
+    const city::ObjectSink sink = [&](city::CityObject&& o) {
+      ++(o.id.starts_with("way/") ? of_ways : of_relations);
+    };
+    const city::ReadReport report =
+        read_map_buildings(file.path(), options, city::deliver_to(sink));
+    EXPECT_TRUE(report.skipped.empty());
+    EXPECT_EQ(of_ways, tagged ? 0u : static_cast<std::size_t>(rings));
+    EXPECT_EQ(of_relations > 0, tagged);
   }
 }
 

@@ -143,13 +143,12 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
            {{"none", city::Textures::none},
             {"mean", city::Textures::mean},
             {"atlas", city::Textures::atlas}},
-           "`mean`: surfaces of CityGML and CityJSON reflect the mean of the picture that "
-           "the file lays on them, where that lies beside the file as PNG or "
-           "JPEG. Pictures are unpacked within the budget that SECURITY.md "
-           "states; how many, a note says. Colours have 32 steps a channel, "
-           "and each is a material of its own. `atlas`: they reflect the picture "
-           "itself, packed into a few for each tile. The walls of a building are "
-           "made alike in mean luminance, and its roofs, so that the sun in the "
+           "`mean`: surfaces of CityGML, CityJSON and Wavefront OBJ reflect the mean of the "
+           "picture that the file lays on them, where that lies beside the file or below as PNG "
+           "or JPEG. Pictures are unpacked within the budget that SECURITY.md states; how many, a "
+           "note says. Colours have 32 steps a channel, and each is a material of its own. "
+           "`atlas`: they reflect the picture itself, packed into a few for each tile. The walls "
+           "of a building are made alike in mean luminance, and its roofs, so that the sun in the "
            "pictures is not the night's."),
        number_key("texels_per_m", city.texels_per_m, {0.1, 100}, "",
                   "`textures = \"atlas\"`: so many texels of a picture lie along a metre of a "

@@ -25,6 +25,7 @@ void add_count(std::map<std::string, std::size_t>& counts, const char* name, std
 
 struct SceneTiles::WrittenTile {
   TileKey key;
+  SceneInstance place;
   TileStore::TileMesh made;
   HiddenCounts hidden;
   CoverCounts cover;
@@ -121,29 +122,39 @@ SceneTilesReport SceneTiles::write(const Georeference& georeference, const City&
                                    const ProgressSink& progress) {
   const std::vector<TileKey> keys = tiles_.tiles();
   HiddenCounts hidden;
-  std::size_t begun = 0, done = 0;
+  std::size_t begun = 0, done = 0, flat = 0;
   const auto next = [&] {
     return begun < keys.size() ? std::optional(keys[begun++]) : std::nullopt;
   };
   in_order(
-      options_.threads, next, [&](const TileKey& key) { return build(key, city); },
+      options_.threads, next,
+      [&](const TileKey& key) { return build(key, place(key, georeference), city); },
       [&](WrittenTile&& tile) {
         hidden.between += tile.hidden.between;
         hidden.below += tile.hidden.below;
+        flat += tile.made.flat;
         count(tile.cover);
         if (tile.made.mesh.primitives.empty()) return;
-        write(std::move(tile), georeference);
+        write(std::move(tile));
         if (progress) progress({"writing tiles", ++done, "tiles", keys.size()});
       });
   add_count(report_.left_out, "triangles between two buildings", hidden.between);
   add_count(report_.left_out, "triangles of buildings below the ground", hidden.below);
+  add_count(report_.left_out, "triangles without area once rounded to floats", flat);
   report_.colours = materials_.colours();
   report_.skins = skinner_.report();
   return report_;
 }
 
-SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const City& city) {
-  WrittenTile tile{key, {}, {}, {}};
+SceneInstance SceneTiles::place(const TileKey& key, const Georeference& georeference) const {
+  SceneInstance instance;
+  instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles_.origin(key))), 1);
+  return instance;
+}
+
+SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const SceneInstance& place,
+                                          const City& city) {
+  WrittenTile tile{key, place, {}, {}, {}};
   const glm::dvec3 corner = tiles_.origin(key);
   const auto is_below = [&](const glm::vec3& p) {
     const auto ground = city.terrain().height_of(terrain::SurfaceClass::terrain,
@@ -159,11 +170,11 @@ SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const City& city) 
     if (key.kind == NodeKind::terrain && !city.cover().empty())
       cover_ground(city.cover(), corner, triangles, tile.cover);
   };
-  tile.made = tiles_.mesh(key, change);
+  tile.made = tiles_.mesh(key, to_double(place), change);
   return tile;
 }
 
-void SceneTiles::write(WrittenTile&& tile, const Georeference& georeference) {
+void SceneTiles::write(WrittenTile&& tile) {
   SceneMesh& mesh = tile.made.mesh;
   std::vector<std::uint32_t> pictures;
   for (const ScenePicture& picture : tile.made.pictures) {
@@ -184,9 +195,7 @@ void SceneTiles::write(WrittenTile&& tile, const Georeference& georeference) {
     report_.textures.triangles += primitive.indices.size() / 3;
     primitive.material = materials_.add_pictured(code, pictures[tile.made.picture_of_primitive[i]]);
   }
-  SceneInstance instance;
-  instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles_.origin(tile.key))), 1);
-  writer_.add_node({mesh.name, name_of(tile.key.kind), writer_.add_mesh(mesh), true, {instance}});
+  writer_.add_node({mesh.name, name_of(tile.key.kind), writer_.add_mesh(mesh), true, {tile.place}});
 }
 
 void SceneTiles::count(const CoverCounts& cover) {

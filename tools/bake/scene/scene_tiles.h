@@ -73,8 +73,9 @@ class SceneTiles final : public CityConsumer {
 
  private:
   struct WrittenTile;
-  WrittenTile build(const TileKey& key, const City& city);
-  void write(WrittenTile&& tile, const Georeference& georeference);
+  SceneInstance place(const TileKey& key, const Georeference& georeference) const;
+  WrittenTile build(const TileKey& key, const SceneInstance& place, const City& city);
+  void write(WrittenTile&& tile);
   void count(const CoverCounts& cover);
   bool stands_otherwise(const PreparedObject& prepared) const;
   std::uint32_t add_feature(const city::CityObject& object);

@@ -87,6 +87,15 @@ MaterialCode find_plant_material(const city::CityObject& object) {
                                              : ground_cover::GroundKind::scrub);
 }
 
+// Rounding to float can take a triangle's area, in its tile or where that stands, and then nobody
+// sees it.
+bool is_flat(const glm::vec3 (&corners)[3], const glm::dmat4& to_model) {
+  using hierarchy::is_shown, hierarchy::place;
+  return !is_shown(corners[0], corners[1], corners[2]) ||
+         !is_shown(place(to_model, corners[0]), place(to_model, corners[1]),
+                   place(to_model, corners[2]));
+}
+
 }  // namespace
 
 std::vector<TileStore::Triangle> make_tile_triangles(const mesh::TriangleMesh& mesh,
@@ -188,7 +197,8 @@ std::vector<TileKey> TileStore::tiles() {
   return tiles_.keys();
 }
 
-TileStore::TileMesh TileStore::mesh(const TileKey& key, const Change& change) {
+TileStore::TileMesh TileStore::mesh(const TileKey& key, const glm::dmat4& to_model,
+                                    const Change& change) {
   std::vector<StoredTriangle> triangles = tiles_.read(key);
   if (change) change(triangles);
   TileMesh tile;
@@ -218,9 +228,10 @@ TileStore::TileMesh TileStore::mesh(const TileKey& key, const Change& change) {
             (glm::vec2(at->corner) + picture->places[i]) / glm::vec2(atlases.sizes[at->picture]);
       index[i] = welder.find_index(triangle.corners[i], triangle.feature, at ? &place : nullptr);
     }
-    // Rounding to float can take a triangle's area, and then nobody sees it.
-    const std::vector<glm::vec3>& corners = welder.primitive.positions;
-    if (!hierarchy::is_shown(corners[index[0]], corners[index[1]], corners[index[2]])) continue;
+    if (is_flat(triangle.corners, to_model)) {
+      ++tile.flat;
+      continue;
+    }
     welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
   }
   SceneMesh& mesh = tile.mesh;

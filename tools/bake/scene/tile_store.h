@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <span>
@@ -69,11 +70,13 @@ class TileStore {
     std::vector<ScenePicture> pictures;
     std::vector<std::uint32_t> picture_of_primitive;  // parallel to the mesh's primitives
     std::uint64_t pieces = 0, texels = 0;             // of the pictures
+    std::size_t flat = 0;                             // triangles that are not written: no area
   };
   /// Returns the triangles of a tile in the order in which they came, one primitive a material and
-  /// picture, equal vertices welded. May be called from many threads after tiles(), until something
-  /// is added.
-  TileMesh mesh(const TileKey& tile, const Change& change = {});
+  /// picture, equal vertices welded. Triangles that rounding to floats leaves without an area, in
+  /// the tile or where `to_model` places it, are counted alone. May be called from many threads
+  /// after tiles(), until something is added.
+  TileMesh mesh(const TileKey& tile, const glm::dmat4& to_model, const Change& change = {});
 
  private:
   struct StoredPiece {

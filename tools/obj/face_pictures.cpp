@@ -1,0 +1,55 @@
+#include "tools/obj/face_pictures.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <glm/common.hpp>
+
+#include "tools/city/cut_picture.h"
+#include "tools/obj/group_reader.h"
+
+namespace nightcity::obj {
+
+FacePictures::FacePictures(const city::Document& document, const Vertices& vertices,
+                           city::Textures textures)
+    : vertices_(vertices), textures_(textures) {
+  if (document.packed) return;  // its libraries are not read either
+  std::vector<std::string> absent, names;
+  const std::filesystem::path file = document.name;
+  for (const std::string& library : vertices.libraries)
+    for (const std::filesystem::path& one : find_libraries(file, library, absent)) {
+      std::map<std::string, Material> materials;
+      read_materials(one, file.parent_path(), materials);
+      for (const auto& [name, material] : materials)
+        if (material.texture && numbers_.try_emplace(material.texture->file, names.size()).second)
+          names.push_back(material.texture->file);
+    }
+  shelf_ = std::make_unique<city::PictureShelf>(document.name, std::move(names));
+}
+
+void FacePictures::lay(const Texture& texture, const std::vector<std::uint32_t>& places,
+                       city::Polygon& polygon, std::int64_t& pixels_left,
+                       city::SkipCounter& skipped) const {
+  const auto number = numbers_.find(texture.file);
+  if (!shelf_ || number == numbers_.end())
+    return skipped.add("texture: its picture is not in the list");
+  if (std::find(places.begin(), places.end(), no_place) != places.end())
+    return skipped.add("texture: a place in its picture that is not there");
+  const char* why = nullptr;
+  const auto picture = shelf_->find(number->second, why);
+  if (!picture) return skipped.add(why);
+  std::vector<glm::dvec2> on_picture;
+  for (const std::uint32_t place : places)
+    on_picture.push_back(glm::dvec2(vertices_.texture_places[place]) * texture.scale +
+                         texture.offset);
+  glm::dvec2 low = on_picture.front(), high = low;
+  for (const glm::dvec2& place : on_picture) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  polygon.diffuse_colour = city::find_mean_step(*picture, low, high);
+  if (textures_ != city::Textures::atlas) return;
+  polygon.picture = city::cut_picture(*picture, on_picture, pixels_left);
+  if (!polygon.picture) skipped.add(city::texture_not_cut);
+}
+
+}  // namespace nightcity::obj
