@@ -82,9 +82,8 @@ Model ModelBench::load(const LoadWithout& read, const render::LeftOut& left_out,
   scene::RenderScene scene = read(left_out.of_scene());
   if (scene.georeference.crs == georeference_.crs)
     model.shift = find_georeference(scene).to_model(georeference_.origin);
-  model.scene = std::make_unique<render::DeviceScene>(device_, scene, render::ReleaseGeometry{});
-  // Builds the tables of the lights that shine.
-  model.scene->set_time(settings.time_s, settings.environment.lights);
+  model.scene = std::make_unique<render::DeviceScene>(device_, scene, render::ReleaseGeometry{},
+                                                      settings.light_moment());
   model.load_s = std::chrono::duration<double>(Clock::now() - start).count();
   model.renderer = std::make_unique<render::Renderer>(device_, passes_, *model.scene,
                                                       options_.width, options_.height);

@@ -192,7 +192,7 @@ void bench(BenchCommand& command) {
   const scene::RenderScene scene = options.load();
   const scene::CameraPose pose = scene::find_camera(options.camera, scene);
   gpu::Device device(options.device);
-  render::DeviceScene device_scene(device, scene);
+  render::DeviceScene device_scene(device, scene, options.settings.light_moment());
   render::PassLibrary library(device);
   render::Renderer renderer(device, library, device_scene, options.width, options.height);
   for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, options.settings);

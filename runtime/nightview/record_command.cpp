@@ -39,7 +39,7 @@ void run_record(RecordCommand& command) {
   const scene::RenderScene scene = render.load();
   const scene::CameraPath path = scene::find_path(recording.path, scene);
   gpu::Device device(render.device);
-  render::DeviceScene device_scene(device, scene);
+  render::DeviceScene device_scene(device, scene, render.settings.light_moment());
   render::PassLibrary passes(device);
   render::Renderer renderer(device, passes, device_scene, render.width, render.height);
   program::ProgressDisplay progress;

@@ -271,7 +271,8 @@ void render(RenderCommand& command) {
   if (!command.save_camera.empty()) scene::write_camera(command.save_camera, pose);
   const std::unique_ptr<gpu::Device> started = starting.get();
   gpu::Device& device = *started;
-  render::DeviceScene device_scene(device, scene, render::ReleaseGeometry{});
+  render::DeviceScene device_scene(device, scene, render::ReleaseGeometry{},
+                                   options.settings.light_moment());
   render::PassLibrary passes(device);
   render::Renderer renderer(device, passes, device_scene, options.width, options.height);
   spdlog::info("{}: {} triangles, {} lights, loaded in {:.2f} s; rendering on {}", options.scene,

@@ -9,11 +9,13 @@
 
 namespace nightcity::render {
 
-DeviceLights::DeviceLights(gpu::Device& device, const scene::RenderScene& scene)
+DeviceLights::DeviceLights(gpu::Device& device, const scene::RenderScene& scene,
+                           const scene::LightMoment& first)
     : device_(device),
       lights_(scene.lights),
       families_(scene.families),
-      vehicle_lights_(scene.traffic.vehicle_lights) {
+      vehicle_lights_(scene.traffic.vehicle_lights),
+      on_(first.on) {
   // Schedules that no light uses are dropped, so that they cost nothing.
   if (std::any_of(lights_.begin(), lights_.end(),
                   [](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
@@ -23,9 +25,10 @@ DeviceLights::DeviceLights(gpu::Device& device, const scene::RenderScene& scene)
   lights_buffer_ = gpu::Buffer::of(device_, std::span<const Light>(lights_));
   vehicle_lights_.push_back({});
   vehicle_lights_buffer_ = gpu::Buffer::of(device_, std::span<const Light>(vehicle_lights_));
+  darken_vehicles(on_);
   // One table after the other, so that no two are in memory beside their copies on the device.
   scene::LitLights lit =
-      scene::lit_lights(lights_, families_, schedules_, switches_, 0, scene::all_families);
+      scene::lit_lights(lights_, families_, schedules_, switches_, first.time_s, on_);
   const std::vector<float> flux = scene::flux_of(lit, lights_);
   lit.alias = scene::build_alias_table(flux);
   upload_grid(0, scene::build_light_grid(lights_, flux, scene::near_lists));

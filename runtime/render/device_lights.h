@@ -15,8 +15,9 @@ namespace nightcity::render {
 
 class DeviceLights {
  public:
-  /// Copies what it needs of `scene`. All lights that shine at noon are on.
-  DeviceLights(gpu::Device& device, const scene::RenderScene& scene);
+  /// Copies what it needs of `scene`. The lights of `first` are on, which set_time then finds made.
+  DeviceLights(gpu::Device& device, const scene::RenderScene& scene,
+               const scene::LightMoment& first);
 
   /// Switches lights by their schedules to `time_s`, in seconds since noon, and those of families
   /// outside `on` off. Returns whether a static light changed. Must not be called while a frame is

@@ -65,14 +65,16 @@ std::uint64_t DeviceScene::store(std::span<const T> values) {
   return storage_.back().address();
 }
 
-DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene)
-    : DeviceScene(device, scene, nullptr) {}
+DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
+                         const scene::LightMoment& first)
+    : DeviceScene(device, scene, nullptr, first) {}
 
-DeviceScene::DeviceScene(gpu::Device& device, scene::RenderScene& scene, ReleaseGeometry)
-    : DeviceScene(device, scene, &scene) {}
+DeviceScene::DeviceScene(gpu::Device& device, scene::RenderScene& scene, ReleaseGeometry,
+                         const scene::LightMoment& first)
+    : DeviceScene(device, scene, &scene, first) {}
 
 DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
-                         scene::RenderScene* released)
+                         scene::RenderScene* released, const scene::LightMoment& first)
     : device_(device) {
   check_memory(device, scene);
   loaded_ = scene::find_traits(scene);
@@ -92,7 +94,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
   }
   bounds_ = scene.bounds;
   origin_ = scene.origin;
-  lights_.emplace(device_, scene);
+  lights_.emplace(device_, scene, first);
   lights_->enter(addresses_);
   follow_sky();
   left_out_ = scene.left_out;

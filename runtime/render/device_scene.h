@@ -33,10 +33,14 @@ class DeviceScene {
  public:
   /// Copies what set_time needs, so `scene` need not outlive the object. Throws Error, with
   /// the bytes that are needed and those that are free, when the device has too little memory.
-  DeviceScene(gpu::Device& device, const scene::RenderScene& scene);
+  /// The first tables of lights are those of `first`: where the caller knows the time of the first
+  /// picture, they need not be made twice.
+  DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
+              const scene::LightMoment& first = {});
   /// Empties `scene.triangles`, `nodes` and `instances` once the device has them, so that they are
   /// not in memory twice.
-  DeviceScene(gpu::Device& device, scene::RenderScene& scene, ReleaseGeometry);
+  DeviceScene(gpu::Device& device, scene::RenderScene& scene, ReleaseGeometry,
+              const scene::LightMoment& first = {});
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;
 
@@ -89,7 +93,8 @@ class DeviceScene {
   SceneTlas* tlas() { return tlas_ ? &*tlas_ : nullptr; }
 
  private:
-  DeviceScene(gpu::Device& device, const scene::RenderScene& scene, scene::RenderScene* released);
+  DeviceScene(gpu::Device& device, const scene::RenderScene& scene, scene::RenderScene* released,
+              const scene::LightMoment& first);
   void store_textures(const scene::RenderScene& scene);
   void store_geometry(const scene::RenderScene& scene, scene::RenderScene* released);
   template <class T>

@@ -213,6 +213,8 @@ struct RenderSettings {
   std::uint32_t forced_features = 0;
   // Counts the shadow rays of every frame: Renderer::shadow_rays(). The picture stays the same.
   bool count_rays = false;
+
+  scene::LightMoment light_moment() const { return {time_s, environment.lights}; }
 };
 
 /// Returns whether frames of both settings may go into one mean: only their display, averaging,

@@ -19,6 +19,12 @@ constexpr LightFamilies to_set(LightFamily family) {
   return 1u << static_cast<std::uint32_t>(family);
 }
 
+/// A time in seconds since noon, and the families that may shine then.
+struct LightMoment {
+  double time_s = 0;
+  LightFamilies on = all_families;
+};
+
 /// Returns whether the set has the family; a value out of range counts as `other`.
 bool has_family(LightFamilies set, LightFamily family);
 

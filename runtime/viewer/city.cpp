@@ -15,39 +15,38 @@ std::string name_of(const std::string& path) {
 Opening::Opening(std::string path, std::string camera, const render::RenderSettings& settings,
                  LoadScene load)
     : path_(std::move(path)), settings_(settings) {
-  city_ = std::async(
-      std::launch::async, [this, path = path_, camera = std::move(camera), load = std::move(load),
-                           device = device_.get_future()]() mutable {
-        const CancelScope scope(stop_.get_token());
-        auto city = std::make_unique<City>();
-        city->path = path;
-        city->scene = load(path, [this](const scene::SceneTraits& traits) {
-          const std::lock_guard lock(mutex_);
-          traits_ = traits;
-          compile_early();
-        });
-        throw_if_cancelled();
-        try {
-          city->notice = city->edits.open(LightEditor::find_file(path), city->scene);
-        } catch (const Error& error) {  // the city is there without them
-          city->notice = error.what();
-        }
-        city->projection = std::make_unique<MapProjection>(city->scene.georeference.crs,
-                                                           city->scene.places.geographic);
-        city->triangles = city->scene.triangles.size();
-        throw_if_cancelled();
-        stage_ = "finding the camera";
-        city->pose = scene::find_camera(camera, city->scene);
-        throw_if_cancelled();
-        stage_ = "copying to the device";
-        city->on_device = std::make_unique<render::DeviceScene>(*device.get(), city->scene);
-        throw_if_cancelled();
-        // Lights are switched in the background later, so that the clock never blocks the window;
-        // the first frame has its lights already.
-        city->on_device->set_time(settings_.time_s, settings_.environment.lights);
-        city->on_device->switch_when_ready();
-        return city;
-      });
+  city_ = std::async(std::launch::async, [this, path = path_, camera = std::move(camera),
+                                          load = std::move(load),
+                                          device = device_.get_future()]() mutable {
+    const CancelScope scope(stop_.get_token());
+    auto city = std::make_unique<City>();
+    city->path = path;
+    city->scene = load(path, [this](const scene::SceneTraits& traits) {
+      const std::lock_guard lock(mutex_);
+      traits_ = traits;
+      compile_early();
+    });
+    throw_if_cancelled();
+    try {
+      city->notice = city->edits.open(LightEditor::find_file(path), city->scene);
+    } catch (const Error& error) {  // the city is there without them
+      city->notice = error.what();
+    }
+    city->projection = std::make_unique<MapProjection>(city->scene.georeference.crs,
+                                                       city->scene.places.geographic);
+    city->triangles = city->scene.triangles.size();
+    throw_if_cancelled();
+    stage_ = "finding the camera";
+    city->pose = scene::find_camera(camera, city->scene);
+    throw_if_cancelled();
+    stage_ = "copying to the device";
+    // Lights are switched in the background later, so that the clock never blocks the window;
+    // the first frame has its lights already.
+    city->on_device =
+        std::make_unique<render::DeviceScene>(*device.get(), city->scene, settings_.light_moment());
+    city->on_device->switch_when_ready();
+    return city;
+  });
 }
 
 Opening::~Opening() {

@@ -46,6 +46,20 @@ TEST(DeviceScene, LightsSwitchAtOnceByTheirSchedules) {
   EXPECT_EQ(on_device.buffers().lit_count, 1u);
 }
 
+TEST(DeviceScene, BeginsWithTheLightsOfTheTimeThatItIsTold) {
+  scene::RenderScene scene = two_lamps();
+  scene.families = {LightFamily::lamp, LightFamily::window};
+  render::DeviceScene both(test_device(), scene, {9 * hour_s}),
+      one(test_device(), scene, {9 * hour_s, scene::to_set(LightFamily::lamp)});
+  EXPECT_EQ(both.buffers().lit_count, 2u);
+  EXPECT_EQ(one.buffers().lit_count, 1u);
+  EXPECT_FALSE(both.set_time(9 * hour_s)) << "its tables are made";
+  EXPECT_FALSE(one.set_time(9 * hour_s, scene::to_set(LightFamily::lamp)));
+  EXPECT_EQ(both.light_changes(), 0u);
+  EXPECT_TRUE(one.set_time(9 * hour_s));
+  EXPECT_EQ(brightness(one, 9 * hour_s), brightness(both, 9 * hour_s));
+}
+
 // A white and a blue lamp of the same flux send their light upwards; 0.5 cd/m^2 of 2 are the sky's
 // own. So without the blue one the glow has half its red and green, and none of its blue.
 TEST(DeviceScene, TheSkyOfACityFollowsTheLightsThatShine) {

@@ -66,7 +66,7 @@ TEST(BoxIndex, TheFirstThatHoldsAPlaceIsTheLeastOfAll) {
 }
 
 // Strips of 200 m through a square of 256 m, in all directions.
-std::vector<std::vector<Ring>> make_strips(std::size_t count, std::mt19937& random) {
+std::vector<std::vector<Ring>> make_random_strips(std::size_t count, std::mt19937& random) {
   std::uniform_real_distribution<double> place(-150, -100), turn(0, 6.3), half_width(0.05, 4);
   std::vector<std::vector<Ring>> strips;
   while (strips.size() < count) {
@@ -82,7 +82,7 @@ std::vector<std::vector<Ring>> make_strips(std::size_t count, std::mt19937& rand
 
 TEST(BoxIndex, ASplitSquareGivesTheSameFirstAndAsksFewer) {
   std::mt19937 random(5);
-  const auto strips = make_strips(2000, random);
+  const auto strips = make_random_strips(2000, random);
   BoxIndex whole, split;
   for (std::uint32_t i = 0; i < strips.size(); ++i) {
     whole.add(i, find_box(strips[i]));
