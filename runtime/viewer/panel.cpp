@@ -32,13 +32,15 @@ void draw_camera(ViewerState& state, PanelRequests& requests) {
   ImGui::Checkbox("faster above 20 m", &state.camera.speed_by_height);
 }
 
-// A key that puts the cursor in the box also sends its letter, a frame later.
+// A key that puts the cursor in the box also sends its letter, a frame later. What was typed before
+// is selected, so that a new place replaces it, and Enter alone asks for it again.
 void draw_place(ViewerState& state, PanelRequests& requests) {
   if (state.focus_place > 0) ImGui::GetIO().ClearInputCharacters();
   if (state.focus_place == 2) ImGui::SetKeyboardFocusHere();
   state.focus_place = std::max(0, state.focus_place - 1);
-  if (ImGui::InputTextWithHint("go to", "52.516, 13.378, a street or an id", state.place.data(),
-                               state.place.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+  if (ImGui::InputTextWithHint(
+          "go to", "52.516, 13.378, a street or an id", state.place.data(), state.place.size(),
+          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
     requests.go_to = state.place.data();
 }
 

@@ -431,6 +431,11 @@ TEST_F(ViewerWindow, AStreetThatIsTypedIsStoodOn) {
   EXPECT_NE(text("err.txt").find("the first of 2 whose names contain"), std::string::npos);
   type("strasse", "xdotool key g; sleep 0.5; xdotool key Return; sleep 1\n");
   EXPECT_NEAR(read_pose().position.x, 30, 0.01) << text("err.txt");
+  // What is typed next replaces it.
+  type("lange",
+       "xdotool key g; sleep 0.5; xdotool type --delay 40 'im tal'; sleep 0.5\n"
+       "xdotool key Return; sleep 1\n");
+  EXPECT_NEAR(read_pose().position.x, 30, 0.01) << text("err.txt");
   // The same by an option, for the first frame.
   ASSERT_EQ(run("$V --camera 'street:IM TAL' --quit-after 1 --save-camera camera.json\n"), 0)
       << text("err.txt");
