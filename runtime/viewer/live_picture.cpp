@@ -26,7 +26,7 @@ constexpr render::Effort quick_effort{
     .max_candidates = 8, .max_neighbours = 0, .max_cell_paths = 1, .cell_scale = 2};
 
 // The first picture while most passes are still being compiled.
-constexpr render::Effort draft_effort{.max_candidates = 8, .max_neighbours = 0, .draft = true};
+constexpr render::Effort draft_effort{.max_candidates = 4, .max_neighbours = 0, .draft = true};
 
 // While the clock runs, the picture is the mean of the last few frames and follows motion.
 constexpr std::uint32_t frames_in_motion = 8;

@@ -1,5 +1,6 @@
 #include "runtime/viewer/presenter.h"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,10 @@ float find_font_px(float wanted_px, const Window& window) {
   return wanted_px > 0 ? wanted_px : standard_px * window.content_scale();
 }
 
+// What stands for a picture while there is none. Mesa's CPU driver makes other machine code where a
+// side is a power of two, as no picture's often is, and the first picture would wait for it.
+constexpr glm::uvec2 black_size(3);
+
 // The overlay's pipeline is made for the swapchain's images.
 Swapchain& resized(Swapchain& swapchain, glm::uvec2 size) {
   swapchain.resize(size);
@@ -31,7 +36,7 @@ Presenter::Presenter(std::uint32_t width, std::uint32_t height, gpu::Device::Opt
       device_(for_window(std::move(device), window_)),
       swapchain_(device_, window_.create_surface(device_.instance())),
       screen_(device_),
-      black_(device_, 4),
+      black_(device_, std::size_t{4} * black_size.x * black_size.y),
       overlay_(device_, window_, resized(swapchain_, window_.size()),
                find_font_px(font_px, window_)) {
   black_.fill_zero();
@@ -56,7 +61,7 @@ bool Presenter::show(const Shown& shown, measure::Image8* grab) {
   };
   add(shown.picture, 1);
   add(shown.left, shown.line);
-  if (!shown.picture) pictures.insert(pictures.begin(), {&black_, glm::uvec2(1)});
+  if (!shown.picture) pictures.insert(pictures.begin(), {&black_, black_size});
   outdated_ = !screen_.show(swapchain_, pictures, overlay, grab);
   return true;
 }

@@ -47,7 +47,7 @@ class Presenter {
   gpu::Device device_;
   Swapchain swapchain_;
   Screen screen_;
-  gpu::Buffer black_;  // a picture of one pixel, shown before the first
+  gpu::Buffer black_;  // a picture shown before the first
   Overlay overlay_;
   bool outdated_ = false;  // the swapchain no longer fits the window
 };

@@ -89,7 +89,9 @@ class Viewer {
     controller_.set_now(now_s_);
     if (controller_.finish_opening()) {
       metering_.restart();
-      redraws_ = 3;
+      // Once: what draws the panel keeps the first picture waiting, which draws it again.
+      redraws_ = 1;
+      reported_s_ = now_s_;
     }
     for (const std::string& path : window_.take_dropped()) controller_.open(path);
     const double elapsed_s = now_s_ - last_step_s_;
