@@ -44,7 +44,7 @@ class Picture {
   using Pixels = std::unique_ptr<unsigned char, void (*)(void*)>;
   Picture(Pixels pixels, int width, int height)
       : pixels_(std::move(pixels)), width_(width), height_(height) {}
-  // Of the box whose first pixel and size are given, beyond which the picture repeats.
+  // Returns the mean of a box by its first pixel and size; beyond its sides the picture repeats.
   glm::dvec3 find_mean_of_box(std::int64_t x, std::int64_t y, std::int64_t columns,
                               std::int64_t rows) const;
 

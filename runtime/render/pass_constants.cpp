@@ -16,9 +16,7 @@ PassConstants find_constants(const RenderSettings& settings, const scene::SceneT
   constants[CONSTANT_VISIBILITY_REUSE] = settings.reuse.visibility_reuse;
   const bool sky = settings.environment.sky_cd_m2 != glm::vec3(0),
              moon = settings.environment.moon_lux != glm::vec3(0);
-  constants[CONSTANT_SKY] = sky && traits.sky_map ? SKY_MAP
-                            : sky || moon              ? SKY_UNIFORM
-                                                       : SKY_DARK;
+  constants[CONSTANT_SKY] = sky && traits.sky_map ? SKY_MAP : sky || moon ? SKY_UNIFORM : SKY_DARK;
   constants[CONSTANT_GLOSS] = settings.environment.wetness > 0 || traits.water;
   constants[CONSTANT_LAYERS] = settings.sampling.layers;
   constants[CONSTANT_SCHEDULES] =

@@ -45,7 +45,7 @@ struct DisplayPasses {
   gpu::ComputePass glare_down, glare_up;  // compiled only with glare
 };
 
-/// What passes are compiled for: any frame, or drafts alone (Effort::draft), which need a third of
+/// Passes are compiled for any frame, or for drafts alone (Effort::draft), which takes a third of
 /// the time.
 enum class Extent : std::uint8_t { whole, draft };
 

@@ -1,4 +1,4 @@
-// What a scene has that decides which passes render it: known before its geometry is read.
+// The traits of a scene decide which passes render it. They are known before its geometry is read.
 #pragma once
 
 #include "formats/scene.h"

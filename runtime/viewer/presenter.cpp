@@ -18,8 +18,8 @@ float find_font_px(float wanted_px, const Window& window) {
   return wanted_px > 0 ? wanted_px : standard_px * window.content_scale();
 }
 
-// What stands for a picture while there is none. Mesa's CPU driver makes other machine code where a
-// side is a power of two, as no picture's often is, and the first picture would wait for it.
+// A black picture stands for one while there is none. Mesa's CPU driver makes other code where a
+// side is a power of two; the first picture, whose sides seldom are, would wait for its own.
 constexpr glm::uvec2 black_size(3);
 
 // The overlay's pipeline is made for the swapchain's images.

@@ -25,7 +25,7 @@ class FuzzFile {
   }
   // libosmium leaves the descriptor of a PBF open that is broken (PBFParser::run closes it at the
   // end alone), and a fuzzer reads thousands: without descriptors the sanitizers' own checks, which
-  // need a pipe, report what is not there. Readers have ended here, so what is still open is theirs.
+  // need a pipe, report what is not there. Readers have ended here: what is still open is theirs.
   ~FuzzFile() {
     constexpr int most = 16;  // that a reader leaves: the lowest free numbers are taken first
     struct stat own {

@@ -22,7 +22,7 @@ struct Box {
 /// Returns the box around finite points, of which there is at least one.
 Box find_box(const std::vector<std::vector<glm::dvec2>>& rings);
 
-/// What an area has of a square: nothing, a part, or all of it.
+/// An area has nothing of a square, a part, or all of it.
 enum class Share : std::uint8_t { none, part, all };
 
 /// Returns what rings, of which an odd number goes round the places of their area, have of a box.
@@ -57,8 +57,8 @@ class BoxIndex {
     std::vector<std::uint32_t> numbers;
     std::uint32_t first_quarter = 0;  // in parts_; 0: it is not split
   };
-  // Returns the boxes of a level that lie in the square of a place, or in the part of it that is not
-  // split; null where there are none.
+  // Returns the boxes of a level that lie in the square of a place, or in the part of it that is
+  // not split; null where there are none.
   const std::vector<std::uint32_t>* find_square(const glm::dvec2& place, int level) const;
   static Box find_box_of_square(std::uint64_t key);
   static Box find_quarter(const Box& box, std::uint32_t quarter);

@@ -60,7 +60,7 @@ std::vector<Join> find_joins(const EdgeTable& edges, const std::vector<EdgeUse>&
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
   for (const EdgeUse& use : open) {
-    // Of a list, so that it returns values: of two temporaries it returns references.
+    // A list, because of two temporaries minmax would return references.
     const auto [a, b] = std::minmax({find_target(use.low), find_target(use.high)});
     if (a != b) ++uses[{a, b}];
   }

@@ -1,4 +1,4 @@
-// What a scene is expected to have before its geometry is read.
+// The traits that are known before a scene's geometry is read are those of the whole scene.
 #include "runtime/scene/scene_traits.h"
 
 #include <gtest/gtest.h>
