@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "formats/srgb.h"
+#include "tools/city/picture_shelf.h"
 
 namespace nightcity::city {
 namespace {
@@ -103,6 +104,19 @@ std::shared_ptr<const SurfacePicture> cut_picture(const Picture& picture,
     part->places.push_back((to_pixels(p) - glm::dvec2(x.first, y.first)) /
                            glm::dvec2(x.step, y.step));
   return part;
+}
+
+void lay_picture(const Picture& picture, const std::vector<glm::dvec2>& places, Textures textures,
+                 Polygon& polygon, std::int64_t& pixels_left, SkipCounter& skipped) {
+  glm::dvec2 low = places.front(), high = low;
+  for (const glm::dvec2& place : places) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  polygon.diffuse_colour = find_mean_step(picture, low, high);
+  if (textures != Textures::atlas) return;
+  polygon.picture = cut_picture(picture, places, pixels_left);
+  if (!polygon.picture) skipped.add(texture_not_cut);
 }
 
 void reverse_rings(Polygon& polygon) {

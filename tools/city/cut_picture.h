@@ -8,6 +8,8 @@
 
 #include "formats/picture_mean.h"
 #include "tools/city/city_model.h"
+#include "tools/city/city_reader.h"
+#include "tools/city/skip_counter.h"
 
 namespace nightcity::city {
 
@@ -28,6 +30,12 @@ constexpr const char* texture_not_cut =
 std::shared_ptr<const SurfacePicture> cut_picture(const Picture& picture,
                                                   const std::vector<glm::dvec2>& places,
                                                   std::int64_t& pixels_left);
+
+/// Gives a polygon the mean of the picture between `places`, at least one, as its colour
+/// (find_mean_step) and, with Textures::atlas, what cut_picture() cuts out. `skipped` counts where
+/// that is nothing.
+void lay_picture(const Picture& picture, const std::vector<glm::dvec2>& places, Textures textures,
+                 Polygon& polygon, std::int64_t& pixels_left, SkipCounter& skipped);
 
 /// Turns the rings of a polygon round, and its picture with them.
 void reverse_rings(Polygon& polygon);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <map>
@@ -311,15 +310,7 @@ void GeometryReader::read_texture(const dom::element& rings, city::Polygon& poly
   const char* why = nullptr;
   const auto found = materials.pictures->find(*picture, why);
   if (!found) return skipped_.add(why);
-  glm::dvec2 low = places.front(), high = low;
-  for (const glm::dvec2& place : places) {
-    low = glm::min(low, place);
-    high = glm::max(high, place);
-  }
-  polygon.diffuse_colour = city::find_mean_step(*found, low, high);
-  if (materials.textures != city::Textures::atlas) return;
-  polygon.picture = city::cut_picture(*found, places, pixels_left_);
-  if (!polygon.picture) skipped_.add(city::texture_not_cut);
+  city::lay_picture(*found, places, materials.textures, polygon, pixels_left_, skipped_);
 }
 
 bool GeometryReader::read_polygon(const dom::element& rings, const Beside& beside,

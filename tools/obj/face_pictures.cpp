@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <glm/common.hpp>
 
 #include "tools/city/cut_picture.h"
 #include "tools/obj/group_reader.h"
@@ -41,15 +40,7 @@ void FacePictures::lay(const Texture& texture, const std::vector<std::uint32_t>&
   for (const std::uint32_t place : places)
     on_picture.push_back(glm::dvec2(vertices_.texture_places[place]) * texture.scale +
                          texture.offset);
-  glm::dvec2 low = on_picture.front(), high = low;
-  for (const glm::dvec2& place : on_picture) {
-    low = glm::min(low, place);
-    high = glm::max(high, place);
-  }
-  polygon.diffuse_colour = city::find_mean_step(*picture, low, high);
-  if (textures_ != city::Textures::atlas) return;
-  polygon.picture = city::cut_picture(*picture, on_picture, pixels_left);
-  if (!polygon.picture) skipped.add(city::texture_not_cut);
+  city::lay_picture(*picture, on_picture, textures_, polygon, pixels_left, skipped);
 }
 
 }  // namespace nightcity::obj
