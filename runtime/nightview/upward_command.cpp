@@ -138,7 +138,8 @@ void upward(UpwardCommand& command) {
   scene::RenderScene scene =
       load_and_report(command.scene, render::LeftOut(command.leave_out).of_scene());
   gpu::Device device(command.device);
-  render::DeviceScene device_scene(device, scene, render::ReleaseGeometry{});
+  render::DeviceScene device_scene(device, scene, render::ReleaseGeometry{},
+                                   {command.settings.time_s});
   render::PassLibrary passes(device);
   const render::UpwardFlux flux =
       render::measure_upward_flux(device, passes, device_scene, command.settings);

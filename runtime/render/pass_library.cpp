@@ -115,7 +115,7 @@ PassSet PassLibrary::make_set(const Key& key, const std::shared_ptr<const PassSe
   // Passes are compiled on all cores, the largest first.
   PassSet set;
   std::vector<std::function<void()>> jobs;
-  // Of the irradiance cache's passes, the last one takes longest by far of all.
+  // The paths of the irradiance cache take longest by far, so they begin first.
   if (constants[CONSTANT_INDIRECT] == INDIRECT_CACHE) {
     jobs.push_back([&] {
       set.cache_update = this->make_trace(

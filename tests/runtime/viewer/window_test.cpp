@@ -431,7 +431,7 @@ TEST_F(ViewerWindow, AStreetThatIsTypedIsStoodOn) {
   EXPECT_NE(text("err.txt").find("the first of 2 whose names contain"), std::string::npos);
   type("strasse", "xdotool key g; sleep 0.5; xdotool key Return; sleep 1\n");
   EXPECT_NEAR(read_pose().position.x, 30, 0.01) << text("err.txt");
-  // What is typed next replaces it.
+  // The second text replaces the first.
   type("lange",
        "xdotool key g; sleep 0.5; xdotool type --delay 40 'im tal'; sleep 0.5\n"
        "xdotool key Return; sleep 1\n");
