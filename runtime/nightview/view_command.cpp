@@ -97,6 +97,7 @@ void view(ViewCommand& command) {
   const viewer::ViewReport report = viewer::run_viewer(options);
   fmt::print("{} frames shown, the last {} of them averaged, estimator {}\n", report.shown,
              report.frames, report.estimator);
+  if (!report.intervals.empty()) fmt::print("between pictures in motion: {}\n", report.intervals);
   if (!report.pace.empty()) fmt::print("budget: {}\n", report.pace);
   // All is done and kept. A caller learns all the same that the window was closed by a signal: a
   // shell that saw the exit code 0 after Ctrl-C would go on with its loop. Results that cannot be
@@ -177,6 +178,9 @@ void add_view_command(CLI::App& app) {
                   "time, at the speed set in the panel")
       ->capture_default_str()
       ->check(program::number_from(0, 3600));
+  sub->add_flag("--offscreen", view_options.offscreen,
+                "Draw into memory and leave the window black: measures frames where the driver "
+                "cannot show them, as on a virtual screen");
   sub->add_option("--quit-after", view_options.quit_after, "Close after showing this many pictures")
       ->check(program::count_from(0, 0xFFFFFFFF));
   declare_pictures(*sub, *command);

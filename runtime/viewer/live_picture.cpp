@@ -108,8 +108,10 @@ void LivePicture::notice_changes(const View& view, double now_s) {
     if (!same) refinement_.change(now_s);
     const bool denoised = view.settings.display.denoise != view_->settings.display.denoise;
     display_changed_ |= denoised;
-    if ((!same && refinement_.is_worth_giving_up(plan_, pixels_of(view.window))) || denoised)
-      renderer_.abandon_frame();
+    // A frame within a budget takes as long as was asked for; what it takes was measured.
+    const bool slow =
+        !is_governed_ && refinement_.is_worth_giving_up(plan_, pixels_of(view.window));
+    if ((!same && slow) || denoised) renderer_.abandon_frame();
   }
   view_ = view;
 }
@@ -127,7 +129,8 @@ bool LivePicture::find_passes(const View& view) {
 
 void LivePicture::begin(const View& view, double now_s) {
   plan_ = refinement_.plan(now_s, pixels_of(view.window), view.runs);
-  is_governed_ = !drafts_ && pace_.governs() && (view.runs || refinement_.is_moving(now_s));
+  moves_ = view.runs || refinement_.is_moving(now_s);
+  is_governed_ = !drafts_ && pace_.governs() && moves_;
   if (is_governed_) plan_ = {pace_.divisor(), true};
   effort_ = drafts_        ? draft_effort
             : is_governed_ ? pace_.effort()
@@ -193,6 +196,7 @@ void LivePicture::complete(const View& view) {
   if (!effort_.draft)
     refinement_.complete(plan_, size.x * size.y, renderer_.frame_s(), same_view(begun_, view));
   shown_plan_ = plan_;
+  shown_moves_ = moves_;
   shown_effort_ = effort_;
   shown_ = begun_;
   shown_display_ = left_by_a_frame(begun_.settings.display);

@@ -78,6 +78,8 @@ class LivePicture {
   render::RenderSettings made_with() const;
   /// Returns the plan of the last complete frame.
   const FramePlan& shown() const { return shown_plan_; }
+  /// Returns whether that frame was begun while the view moved or its clock ran.
+  bool was_in_motion() const { return shown_moves_; }
   /// Returns how frames keep to their budget, or how far that is measured.
   const Pace& pace() const { return pace_; }
   bool is_fine() const { return refinement_.is_fine(); }
@@ -100,8 +102,10 @@ class LivePicture {
   View begun_;                // of the frame in progress
   render::Effort effort_, shown_effort_;
   bool drafts_ = false;       // the frame in progress
+  bool moves_ = false;        // the view, when the frame in progress was begun
   bool is_governed_ = false;  // the frame in progress
   FramePlan plan_, shown_plan_;
+  bool shown_moves_ = false;
   std::optional<View> shown_;  // of the last complete frame
   render::DisplaySettings shown_display_;
   std::uint64_t completed_ = 0;      // frames

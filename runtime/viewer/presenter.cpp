@@ -31,10 +31,10 @@ Swapchain& resized(Swapchain& swapchain, glm::uvec2 size) {
 }  // namespace
 
 Presenter::Presenter(std::uint32_t width, std::uint32_t height, gpu::Device::Options device,
-                     float font_px)
+                     float font_px, bool offscreen)
     : window_(width, height, "nightview"),
       device_(for_window(std::move(device), window_)),
-      swapchain_(device_, window_.create_surface(device_.instance())),
+      swapchain_(device_, offscreen ? VK_NULL_HANDLE : window_.create_surface(device_.instance())),
       screen_(device_),
       black_(device_, std::size_t{4} * black_size.x * black_size.y),
       overlay_(device_, window_, resized(swapchain_, window_.size()),

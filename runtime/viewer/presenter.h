@@ -18,8 +18,10 @@ namespace nightcity::viewer {
 class Presenter {
  public:
   /// Opens a window of `width` x `height` pixels. `font_px`: height of text; 0 = as the screen's
-  /// scale asks for. Throws Error without a display, or when the device cannot present.
-  Presenter(std::uint32_t width, std::uint32_t height, gpu::Device::Options device, float font_px);
+  /// scale asks for. `offscreen`: the window stays black. Throws Error without a display, or when
+  /// the device cannot present.
+  Presenter(std::uint32_t width, std::uint32_t height, gpu::Device::Options device, float font_px,
+            bool offscreen);
 
   Window& window() { return window_; }
   const Window& window() const { return window_; }

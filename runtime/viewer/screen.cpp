@@ -46,49 +46,17 @@ Screen::Screen(gpu::Device& device) : device_(device) {
 
 Screen::~Screen() {
   vkDeviceWaitIdle(device_.handle());
-  for (Held& held : held_) release(held);
   vkDestroyCommandPool(device_.handle(), pool_, nullptr);
 }
 
-void Screen::release(Held& held) {
-  vkDestroyImage(device_.handle(), held.image, nullptr);
-  vkFreeMemory(device_.handle(), held.memory, nullptr);
-  held = {};
-}
-
-void Screen::hold(Held& held, glm::uvec2 size) {
-  if (held.image && size == held.size) return;
-  release(held);
-  held.size = size;
-  VkImageCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-  info.imageType = VK_IMAGE_TYPE_2D;
-  info.format = VK_FORMAT_R8G8B8A8_UNORM;  // the byte order of the renderer's words
-  info.extent = {size.x, size.y, 1};
-  info.mipLevels = 1;
-  info.arrayLayers = 1;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
-  info.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-  VK_CHECK(vkCreateImage(device_.handle(), &info, nullptr, &held.image));
-  VkMemoryRequirements needs{};
-  vkGetImageMemoryRequirements(device_.handle(), held.image, &needs);
-  VkMemoryAllocateInfo allocate{};
-  allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-  allocate.allocationSize = needs.size;
-  allocate.memoryTypeIndex =
-      device_.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-  VK_CHECK(vkAllocateMemory(device_.handle(), &allocate, nullptr, &held.memory));
-  VK_CHECK(vkBindImageMemory(device_.handle(), held.image, held.memory, 0));
-}
-
 // Leaves the swapchain's image in VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, in which it is.
-void Screen::draw(Held& held, const ShownPicture& picture, const Swapchain& swapchain) {
-  change_layout(commands_, held.image, VK_IMAGE_LAYOUT_UNDEFINED,
+void Screen::draw(const gpu::Image& held, const ShownPicture& picture, const Swapchain& swapchain) {
+  change_layout(commands_, held.handle(), VK_IMAGE_LAYOUT_UNDEFINED,
                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
   const VkBufferImageCopy copy = whole(picture.size);
-  vkCmdCopyBufferToImage(commands_, picture.words->handle(), held.image,
+  vkCmdCopyBufferToImage(commands_, picture.words->handle(), held.handle(),
                          VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-  change_layout(commands_, held.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+  change_layout(commands_, held.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                 VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   const glm::uvec2 window = swapchain.size();
   // Whole pixels of the picture, and as many of the window as they take.
@@ -103,7 +71,7 @@ void Screen::draw(Held& held, const ShownPicture& picture, const Swapchain& swap
   blit.srcSubresource = blit.dstSubresource = colour_layer;
   blit.srcOffsets[1] = corner(from);
   blit.dstOffsets[1] = corner(to);
-  vkCmdBlitImage(commands_, held.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, swapchain.image(),
+  vkCmdBlitImage(commands_, held.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, swapchain.image(),
                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit,
                  picture.size == window ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
 }
@@ -111,7 +79,10 @@ void Screen::draw(Held& held, const ShownPicture& picture, const Swapchain& swap
 bool Screen::show(Swapchain& swapchain, std::span<const ShownPicture> pictures,
                   const std::function<void(VkCommandBuffer)>& overlay, measure::Image8* grab) {
   const std::size_t count = std::min(pictures.size(), max_pictures);
-  for (std::size_t i = 0; i < count; ++i) hold(held_[i], pictures[i].size);
+  for (std::size_t i = 0; i < count; ++i)
+    if (pictures[i].size != held_[i].size())
+      held_[i] = gpu::Image(device_, pictures[i].size,
+                            VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
   const glm::uvec2 window = swapchain.size();
   const VkImage target = swapchain.image();
   gpu::Buffer grabbed;

@@ -11,6 +11,7 @@
 
 #include "runtime/gpu/buffer.h"
 #include "runtime/gpu/device.h"
+#include "runtime/gpu/image.h"
 #include "runtime/measure/image.h"
 #include "runtime/viewer/swapchain.h"
 
@@ -39,21 +40,12 @@ class Screen {
             const std::function<void(VkCommandBuffer)>& overlay, measure::Image8* grab = nullptr);
 
  private:
-  // A picture in a form that a blit can read.
-  struct Held {
-    VkImage image = VK_NULL_HANDLE;
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    glm::uvec2 size{0};
-  };
-
-  void hold(Held& held, glm::uvec2 size);
-  void release(Held& held);
-  void draw(Held& held, const ShownPicture& picture, const Swapchain& swapchain);
+  void draw(const gpu::Image& held, const ShownPicture& picture, const Swapchain& swapchain);
 
   gpu::Device& device_;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  std::array<Held, max_pictures> held_;
+  std::array<gpu::Image, max_pictures> held_;  // pictures in a form that a blit can read
 };
 
 }  // namespace nightcity::viewer

@@ -41,8 +41,11 @@ void check_support(gpu::Device& device, VkSurfaceKHR surface) {
 Swapchain::Swapchain(gpu::Device& device, VkSurfaceKHR surface)
     : device_(device), surface_(surface) {
   try {
-    check_support(device, surface);
-    format_ = choose_format(device.physical(), surface);
+    format_.format = gpu::Image::format;
+    if (surface) {
+      check_support(device, surface);
+      format_ = choose_format(device.physical(), surface);
+    }
     create_overlay_pass();
     VkFenceCreateInfo fence{};
     fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
@@ -101,6 +104,7 @@ void Swapchain::release_images() {
   framebuffers_.clear();
   views_.clear();
   drawn_.clear();
+  images_.clear();
 }
 
 void Swapchain::resize(glm::uvec2 size) {
@@ -108,6 +112,20 @@ void Swapchain::resize(glm::uvec2 size) {
     const std::lock_guard lock(device_.queue_mutex());
     VK_CHECK(vkDeviceWaitIdle(device_.handle()));
   }
+  release_images();
+  if (surface_) {
+    create_swapchain(size);
+  } else {
+    size_ = glm::max(size, glm::uvec2(1));
+    for (gpu::Image& image : unseen_) {
+      image = gpu::Image(device_, size_, usage);
+      images_.push_back(image.handle());
+    }
+  }
+  create_framebuffers();
+}
+
+void Swapchain::create_swapchain(glm::uvec2 size) {
   VkSurfaceCapabilitiesKHR able{};
   VK_CHECK(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &able));
   if ((able.supportedUsageFlags & usage) != usage)
@@ -138,7 +156,6 @@ void Swapchain::resize(glm::uvec2 size) {
   info.oldSwapchain = swapchain_;
   VkSwapchainKHR fresh = VK_NULL_HANDLE;
   VK_CHECK(vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &fresh));
-  release_images();
   vkDestroySwapchainKHR(device_.handle(), swapchain_, nullptr);
   swapchain_ = fresh;
 
@@ -146,6 +163,9 @@ void Swapchain::resize(glm::uvec2 size) {
   VK_CHECK(vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, nullptr));
   images_.resize(count);
   VK_CHECK(vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, images_.data()));
+}
+
+void Swapchain::create_framebuffers() {
   for (const VkImage image : images_) {
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
@@ -170,7 +190,11 @@ void Swapchain::resize(glm::uvec2 size) {
 }
 
 bool Swapchain::acquire() {
-  if (!swapchain_) return false;
+  if (images_.empty()) return false;
+  if (!surface_) {
+    current_ = (current_ + 1) % images();
+    return true;
+  }
   const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, UINT64_MAX,
                                                 VK_NULL_HANDLE, acquired_, &current_);
   if (result == VK_ERROR_OUT_OF_DATE_KHR) return false;
@@ -185,7 +209,7 @@ bool Swapchain::present(VkCommandBuffer commands) {
   submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &commands;
-  submit.signalSemaphoreCount = 1;
+  submit.signalSemaphoreCount = surface_ ? 1 : 0;
   submit.pSignalSemaphores = &drawn_[current_];
   VkPresentInfoKHR info{};
   info.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR;
@@ -197,7 +221,7 @@ bool Swapchain::present(VkCommandBuffer commands) {
   const VkResult result = [&] {
     const std::lock_guard lock(device_.queue_mutex());
     VK_CHECK(vkQueueSubmit(device_.queue(), 1, &submit, finished_));
-    return vkQueuePresentKHR(device_.queue(), &info);
+    return surface_ ? vkQueuePresentKHR(device_.queue(), &info) : VK_SUCCESS;
   }();
   VK_CHECK(vkWaitForFences(device_.handle(), 1, &finished_, VK_TRUE, UINT64_MAX));
   VK_CHECK(vkResetFences(device_.handle(), 1, &finished_));

@@ -3,19 +3,21 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <vector>
 
 #include "runtime/gpu/device.h"
+#include "runtime/gpu/image.h"
 
 namespace nightcity::viewer {
 
 /// Shows one frame at a time, because the renderer waits for its device anyway.
 class Swapchain {
  public:
-  /// Takes ownership of the surface. Throws Error when the device cannot show pictures in this
-  /// window.
+  /// Takes ownership of the surface. Without one (null) there are images that are drawn into as any
+  /// other, and seen by nobody. Throws Error when the device cannot show pictures in this window.
   Swapchain(gpu::Device& device, VkSurfaceKHR surface);
   ~Swapchain();
   Swapchain(const Swapchain&) = delete;
@@ -41,6 +43,8 @@ class Swapchain {
 
  private:
   void create_overlay_pass();
+  void create_swapchain(glm::uvec2 size);
+  void create_framebuffers();
   void release_images();
   void release();
 
@@ -50,6 +54,7 @@ class Swapchain {
   VkRenderPass overlay_pass_ = VK_NULL_HANDLE;
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
   glm::uvec2 size_{0};
+  std::array<gpu::Image, 2> unseen_;  // in place of a swapchain's images, which are two or more
   std::vector<VkImage> images_;
   std::vector<VkImageView> views_;
   std::vector<VkFramebuffer> framebuffers_;

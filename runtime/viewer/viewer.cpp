@@ -12,6 +12,7 @@
 #include "runtime/viewer/closing_signals.h"
 #include "runtime/viewer/config_folder.h"
 #include "runtime/viewer/controller.h"
+#include "runtime/viewer/frame_intervals.h"
 #include "runtime/viewer/metering.h"
 #include "runtime/viewer/presenter.h"
 #include "runtime/viewer/workbench.h"
@@ -39,7 +40,8 @@ class Viewer {
   explicit Viewer(const ViewOptions& options)
       : options_(options),
         first_(Controller::start_opening(options_, options_.scenes.front())),
-        presenter_(options.width, options.height, options.device, options.font_px),
+        presenter_(options.width, options.height, options.device, options.font_px,
+                   options.offscreen),
         window_(presenter_.window()),
         workbench_(presenter_.device()),
         controller_(options_, presenter_, workbench_),
@@ -61,8 +63,12 @@ class Viewer {
     if (!options_.save_camera.empty())
       scene::write_camera(options_.save_camera, session_.state.camera.pose);
     presenter_.device().check_validation();
-    return {shown_, stats_.frames, render::name_of(session_.state.settings.sampling.estimator),
-            stats_.pace, ClosingSignals::first()};
+    return {shown_,
+            stats_.frames,
+            render::name_of(session_.state.settings.sampling.estimator),
+            stats_.pace,
+            intervals_.describe(),
+            ClosingSignals::first()};
   }
 
  private:
@@ -223,6 +229,7 @@ class Viewer {
     if (!presenter_.show(pictures, grabs ? &grabbed : nullptr)) return;
     if (new_picture_ && shown_ == 0)
       spdlog::debug("the first {} is shown", is_draft ? "draft" : "picture");
+    if (shown != shown_) intervals_.add(Window::now_s(), workbench_.picture()->was_in_motion());
     shown_ = shown;
     new_picture_ = false;
     if (grabs)
@@ -239,6 +246,7 @@ class Viewer {
   Session& session_;   // the controller's
   FrameStats& stats_;  // the controller's
   Metering metering_;
+  FrameIntervals intervals_;
   bool was_auto_ = false, was_adapting_ = false;
   bool minimised_ = false;
   bool new_picture_ = false;  // rendered, not yet shown

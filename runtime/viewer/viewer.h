@@ -34,6 +34,7 @@ struct ViewOptions {
   bool play = false;                // start with the clock running
   double time_step_s = 0;           // by which the clock moves on a frame; 0 = it keeps real time
   std::uint32_t max_frames = 4096;  // in the mean; then only changes are rendered
+  bool offscreen = false;           // the window stays black, and is drawn into memory
   std::uint32_t quit_after = 0;     // frames shown; 0 = when the user closes the window
   std::string screenshot;           // PNG of the window with its panel, at the end; "" = none
   std::string save_camera;          // JSON of the camera at the end; "" = none
@@ -48,12 +49,13 @@ struct ViewOptions {
   float font_px = 0;  // height of text; 0 = as the screen's scale asks for
 };
 
-/// The last picture that the window showed.
+/// What the window showed.
 struct ViewReport {
   std::uint32_t shown = 0;   // frames shown
   std::uint32_t frames = 0;  // in the last mean
   std::string estimator;
   std::string pace;        // how frames kept to their budget; "" without one
+  std::string intervals;   // between pictures in motion (FrameIntervals); "" without one
   int closing_signal = 0;  // that closed the window; 0 = none
 };
 

@@ -193,6 +193,35 @@ TEST_F(ViewerWindow, TheRunningClockShowsTheSameLightWithReuseAndWithout) {
   EXPECT_NEAR(ours / truth, 1, 0.02);
 }
 
+// Nobody sees the images that are drawn into memory: panel and picture are there all the same.
+TEST_F(ViewerWindow, OffscreenDrawsWhatTheScreenWouldShow) {
+  ASSERT_EQ(run("for WAY in '' --offscreen; do $V --size 800x400 --every 4 --ev 3 --bounces 0 "
+                "--quit-after 3 --screenshot w$WAY.png $WAY || exit 1; done\n"),
+            0)
+      << text("err.txt");
+  const measure::Image8 seen = measure::read_png(folder / "w.png");
+  const measure::Image8 unseen = measure::read_png(folder / "w--offscreen.png");
+  ASSERT_EQ(unseen.width, seen.width);
+  ASSERT_EQ(unseen.height, seen.height);
+  const std::uint32_t w = seen.width, h = seen.height;
+  EXPECT_GT(colours(unseen, 0, w, 0, h), 100u);
+  EXPECT_GT(mean_light(seen), 0.005);
+  EXPECT_NEAR(mean_light(unseen) / mean_light(seen), 1, 0.02);
+}
+
+// What the coarsest picture takes, by its pixels, is far more than a moving view has time for: by
+// that a frame of every pixel is too slow, and by the measured budget it is not.
+TEST_F(ViewerWindow, FramesWithinABudgetAreCompletedWhereAllPixelsKeepIt) {
+  write_moving_scene(folder.path());
+  ASSERT_EQ(
+      run("timeout 100 \"$(dirname ${V%% *})\"/nightview moving.glb --validation --size 192x128 "
+          "--time 20:00 --play --candidates 2 --neighbours 0 --bounces 0 "
+          "--budget-ms 100000 --quit-after 8\n"),
+      0)
+      << text("err.txt");
+  EXPECT_NE(text("out.txt").find("8 frames shown"), std::string::npos) << text("out.txt");
+}
+
 // Budgets that are kept by every device and by none: what is chosen does not depend on the machine.
 TEST_F(ViewerWindow, ABudgetGovernsFramesWhileTheClockRuns) {
   write_moving_scene(folder.path());
@@ -210,6 +239,8 @@ TEST_F(ViewerWindow, ABudgetGovernsFramesWhileTheClockRuns) {
       << text("rich.log");
   EXPECT_NE(text("rich.txt").find("budget: 4 candidates, 1 neighbours; 100.0 % of"),
             std::string::npos)
+      << text("rich.txt");
+  EXPECT_NE(text("rich.txt").find("between pictures in motion: 29 intervals, "), std::string::npos)
       << text("rich.txt");
   EXPECT_NE(text("poor.log")
                 .find("Starts with 1 candidates, 0 neighbours, 50 % of each side: none keeps"),
