@@ -14,6 +14,13 @@ constexpr std::size_t staging_bytes = std::size_t{64} << 20;
 constexpr VkMemoryPropertyFlags device_local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
 constexpr VkMemoryPropertyFlags host_access =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+
+std::uint32_t choose_type(const Device& device, std::uint32_t allowed, Memory memory) {
+  if (memory == Memory::device) return device.memory_type(allowed, device_local);
+  return device.memory_type(allowed, host_access,
+                            memory == Memory::readback ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : 0);
+}
+
 }  // namespace
 
 Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&device), bytes_(bytes) {
@@ -38,8 +45,7 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
   allocate.pNext = &flags;
   allocate.allocationSize = requirements.size;
   try {
-    memory_type_ = device.memory_type(requirements.memoryTypeBits,
-                                      memory == Memory::device ? device_local : host_access);
+    memory_type_ = choose_type(device, requirements.memoryTypeBits, memory);
     allocate.memoryTypeIndex = memory_type_;
     device.take_memory(memory_type_, requirements.size);
     allocated_ = requirements.size;
@@ -48,7 +54,7 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
       device.refuse_memory(memory_type_, requirements.size);
     check(result, "vkAllocateMemory");
     VK_CHECK(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
-    if (memory == Memory::host)
+    if (memory != Memory::device)
       VK_CHECK(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
   } catch (...) {
     release();
@@ -146,7 +152,7 @@ void Buffer::download(void* data, std::size_t bytes, std::size_t offset) const {
     std::memcpy(data, static_cast<const char*>(mapped_) + offset, bytes);
     return;
   }
-  const Buffer staging(*device_, std::min(bytes, staging_bytes), Memory::host);
+  const Buffer staging(*device_, std::min(bytes, staging_bytes), Memory::readback);
   for (std::size_t done = 0; done < bytes; done += staging_bytes) {
     const std::size_t piece = std::min(staging_bytes, bytes - done);
     device_->run([&](VkCommandBuffer commands) {

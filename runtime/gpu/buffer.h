@@ -16,7 +16,10 @@ namespace nightcity::gpu {
 
 enum class Memory {
   device,  // fast; filled by upload() or by shaders
-  host,    // mapped and coherent: small things the CPU writes each frame, and downloads
+  host,    // mapped and coherent: what the CPU writes
+  // The same for what the CPU reads: in its caches, where the device has such memory. Reading past
+  // them takes some ten times as long.
+  readback,
 };
 
 class Buffer {

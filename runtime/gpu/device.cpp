@@ -163,10 +163,11 @@ void Device::release() {
   if (instance_) vkDestroyInstance(instance_, nullptr);
 }
 
-std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const {
-  for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
-    if ((allowed & (1u << i)) && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
-      return i;
+std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
+                                  VkMemoryPropertyFlags preferred) const {
+  for (const VkMemoryPropertyFlags asked : {wanted | preferred, wanted})
+    for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
+      if ((allowed & (1u << i)) && has(i, asked)) return i;
   throw Error("vulkan", "device '" + info_.name + "' has no memory of the kind asked for");
 }
 

@@ -56,9 +56,10 @@ class Device {
   /// Throws Error with all of them if there are any.
   void check_validation() const;
 
-  /// Returns a memory type among `allowed` that has the `wanted` properties; throws Error if there
-  /// is none.
-  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
+  /// Returns a memory type among `allowed` that has the `wanted` properties, and the `preferred`
+  /// ones too where one has both; throws Error if there is none.
+  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
+                            VkMemoryPropertyFlags preferred = 0) const;
 
   /// Returns whether a memory type has all of these properties.
   bool has(std::uint32_t memory_type, VkMemoryPropertyFlags properties) const;

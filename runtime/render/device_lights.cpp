@@ -50,7 +50,7 @@ bool DeviceLights::set_time(double time_s, scene::LightFamilies on) {
     upload(next_lit_.get());
     return true;
   }
-  if (!has_switches() && on == on_ && edits_.empty()) return false;
+  if (lit_.steady.has(time_s) && on == on_ && edits_.empty()) return false;
   on_ = on;
   for (const auto& [index, light] : std::exchange(edits_, {})) {
     if (index >= lights_.size()) continue;
@@ -58,7 +58,10 @@ bool DeviceLights::set_time(double time_s, scene::LightFamilies on) {
     edited_ = true;
   }
   scene::LitLights lit = scene::lit_lights(lights_, families_, schedules_, switches_, time_s, on);
-  if (!edited_ && lit.same_lights(lit_)) return false;
+  if (!edited_ && lit.same_lights(lit_)) {
+    lit_.steady = lit.steady;
+    return false;
+  }
   const auto with_tables = [this](scene::LitLights of) {
     scene::build_tables(of, lights_);
     return of;

@@ -112,7 +112,7 @@ measure::Image8 Display::develop(const measure::Image& image, const DisplaySetti
     }
   }
   const auto mean = gpu::Buffer::of<gpu::Accumulation>(device_, means);
-  const gpu::Buffer shown(device_, pixels * sizeof(std::uint32_t), gpu::Memory::host);
+  const gpu::Buffer shown(device_, pixels * sizeof(std::uint32_t), gpu::Memory::readback);
   gpu::Frame frame{};
   frame.size = {image.width, image.height};
   frame.accumulation = mean.address();

@@ -29,8 +29,8 @@ measure::Image sample_picture(gpu::Device& device, const PictureBuffers& picture
   const std::size_t rows = std::clamp<std::size_t>(pixels / picture.size.x, 1, picture.size.y);
   const std::size_t row_bytes = picture.size.x * sizeof(gpu::Accumulation);
   const std::size_t surface_bytes = picture.size.x * sizeof(gpu::Surface);
-  gpu::Buffer sampled(device, rows * row_bytes, gpu::Memory::host),
-      seen(device, rows * surface_bytes, gpu::Memory::host);
+  gpu::Buffer sampled(device, rows * row_bytes, gpu::Memory::readback),
+      seen(device, rows * surface_bytes, gpu::Memory::readback);
   std::vector<VkBufferCopy> copies, surface_copies;
   for (std::size_t i = 0; i < rows; ++i) {
     const std::size_t row = picture.size.y * i / rows;

@@ -1,6 +1,5 @@
 #include "runtime/scene/lit_lights.h"
 
-#include "formats/schedule.h"
 #include "runtime/scene/alias_table.h"
 
 namespace nightcity::scene {
@@ -13,6 +12,7 @@ LitLights lit_lights(std::span<const Light> lights, std::span<const LightFamily>
   std::vector<bool> open(schedules.size());
   for (std::size_t i = 0; i < schedules.size(); ++i)
     open[i] = is_lit(schedules[i], switches, time_s);
+  lit.steady = find_steady_span(schedules, switches, time_s);
   lit.bits.resize((lights.size() + 31) / 32);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const bool scheduled = lights[i].schedule < schedules.size();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/night.h"
+#include "formats/schedule.h"
 #include "runtime/scene/light_families.h"
 #include "runtime/scene/light_grid.h"
 
@@ -17,11 +18,12 @@ struct LitLights {
   std::vector<gpu::AliasEntry> alias;  // over flux, parallel to the lights
   LightGrid near_grid;                 // the strongest near each place
   LightGrid far_grid;                  // those of its neighbourhood
+  TimeSpan steady;                     // the same lights shine
 
   bool same_lights(const LitLights& other) const { return bits == other.bits; }
 };
 
-/// Returns bits and list only, which is cheap enough for every step of a clock.
+/// Returns bits, list and `steady` only, which is cheap enough for every step of a clock.
 /// `families`: parallel to the lights; those outside `on` are off.
 LitLights lit_lights(std::span<const Light> lights, std::span<const LightFamily> families,
                      std::span<const Schedule> schedules, std::span<const std::uint32_t> switches,

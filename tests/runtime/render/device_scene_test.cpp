@@ -46,6 +46,23 @@ TEST(DeviceScene, LightsSwitchAtOnceByTheirSchedules) {
   EXPECT_EQ(on_device.buffers().lit_count, 1u);
 }
 
+// No step of the clock is too small for a switch, in either direction, nor too large.
+TEST(DeviceScene, LightsSwitchInTheStepInWhichTheyAreToSwitch) {
+  const scene::RenderScene scene = two_lamps();  // the second from 8 to 11 hours after noon
+  render::DeviceScene on_device(test_device(), scene, {7 * hour_s});
+  const auto expect_lit = [&](double time_s, std::uint32_t lit, bool changes) {
+    EXPECT_EQ(on_device.set_time(time_s), changes) << time_s;
+    EXPECT_EQ(on_device.buffers().lit_count, lit) << time_s;
+  };
+  expect_lit(8 * hour_s - 0.01, 1, false);
+  expect_lit(8 * hour_s, 2, true);
+  expect_lit(8 * hour_s - 0.01, 1, true);
+  expect_lit(10 * hour_s, 2, true);
+  expect_lit(34 * hour_s, 2, false);  // a day later
+  expect_lit(36 * hour_s, 1, true);
+  expect_lit(31 * hour_s, 1, false);
+}
+
 TEST(DeviceScene, BeginsWithTheLightsOfTheTimeThatItIsTold) {
   scene::RenderScene scene = two_lamps();
   scene.families = {LightFamily::lamp, LightFamily::window};
