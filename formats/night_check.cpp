@@ -4,11 +4,10 @@
 
 #include "formats/finite.h"
 #include "formats/light_check.h"
+#include "formats/schedule.h"
 
 namespace nightcity {
 namespace {
-
-constexpr uint day_s = 86'400;
 
 bool lies_in(std::size_t first, std::size_t count, std::size_t size) {
   return first <= size && count <= size - first;

@@ -6,8 +6,6 @@
 namespace nightcity {
 namespace {
 
-constexpr double day_s = 86'400;
-
 // Returns the noon before a time, in seconds since the same noon.
 double find_noon(double time_s) {
   return day_s * std::floor(time_s / day_s);

@@ -9,6 +9,8 @@
 
 namespace nightcity {
 
+inline constexpr uint day_s = 86'400;
+
 /// Returns whether a light with this schedule is lit `time_s` seconds after noon. Times outside a
 /// day wrap round. `switches` holds the switch times of the whole light file.
 bool is_lit(const Schedule& schedule, std::span<const std::uint32_t> switches, double time_s);

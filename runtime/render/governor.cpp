@@ -143,6 +143,7 @@ void Governor::rise_where_there_is_room() {
 void Governor::observe(double ms) {
   ++frames_;
   if (!(options_.budget_ms > 0) || !std::isfinite(ms) || !(ms > 0)) return;
+  if (frames_ <= options_.lead_frames) return;
   loads_.push_back(rungs_[rung_].ms > 0 ? ms / rungs_[rung_].ms : 1);
   if (loads_.size() > window) loads_.pop_front();
   account_ = std::min(1.0, account_ + paid_per_frame);

@@ -39,6 +39,9 @@ struct GovernorOptions {
   // rest is for frames that differ from those before.
   double fill = 0.85;
   std::uint32_t patience = 60;  // frames between a change and a dearer rung, at least
+  // Frames at the start that are not judged: they fill reservoirs and irradiance cache, and take
+  // longer than those after them.
+  std::uint32_t lead_frames = 4;
 };
 
 class Governor {
@@ -66,7 +69,7 @@ class Governor {
   bool can_keep_target() const { return can_keep_target_; }
 
   /// Takes the time of the frame that was rendered with rung(), and chooses the next frame's. A
-  /// time that is not finite and positive is ignored.
+  /// time that is not finite and positive is ignored, and so are those of the lead frames.
   ///
   /// Frames above the budget are paid for from an account: each frame adds 0.008 to it, up to 1,
   /// and each frame above the budget takes 1. Where it is overdrawn, that frame leads to a cheaper

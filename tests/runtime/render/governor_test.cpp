@@ -114,11 +114,24 @@ TEST(Governor, RefusesWhatItCannotGovern) {
 }
 
 TEST(Governor, IgnoresTimesThatAreNone) {
-  Governor governor(make_rungs(), {.budget_ms = 8});
+  Governor governor(make_rungs(), {.budget_ms = 8, .lead_frames = 0});
   for (const double ms : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
     governor.observe(ms);
   EXPECT_TRUE(governor.decisions().empty());
   EXPECT_EQ(governor.frames(), 4u);
+}
+
+// The first frames fill reservoirs and cache, which rungs were measured with.
+TEST(Governor, DoesNotJudgeTheFirstFrames) {
+  Governor governor(make_rungs(), {.budget_ms = 8});
+  const std::size_t rung = governor.rung();
+  ASSERT_GT(rung, 0u);
+  for (std::uint32_t i = 0; i < GovernorOptions{}.lead_frames; ++i) governor.observe(50);
+  for (int i = 0; i < 500; ++i) governor.observe(governor.rungs()[governor.rung()].ms);
+  EXPECT_EQ(governor.rung(), rung);
+  EXPECT_TRUE(governor.decisions().empty());
+  for (int i = 0; i < 2; ++i) governor.observe(50);
+  EXPECT_LT(governor.rung(), rung);
 }
 
 TEST(Governor, StaysWhereItIsWhileNothingChanges) {
