@@ -12,16 +12,6 @@ namespace {
 // enough that no window system or driver watchdog believes that the device hangs.
 constexpr std::size_t max_steps = 16;
 
-// A step of unknown cost begins with this share of its parts.
-constexpr std::uint32_t first_share = 64;
-// A slice holds at most so many times the parts of the one before: a few cheap ones say little of
-// the next.
-constexpr std::uint32_t max_growth = 8;
-// Parts of a step differ: sky costs little, a square full of lamps much. The dearest so far counts,
-// and is forgotten by this factor a slice. Most slices are then shorter than asked for, and hardly
-// one longer by more than half.
-constexpr double peak_kept = 0.98, beyond_slice = 1.5;
-
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -43,21 +33,6 @@ void FrameRun::stop() {
   step_ = 0;
 }
 
-double FrameRun::cost_of(const FrameStep& step) const {
-  const auto known = cost_s_.find(step.name);
-  return known == cost_s_.end() ? 0 : known->second;
-}
-
-std::uint32_t FrameRun::parts_within(const FrameStep& step, double seconds) const {
-  const auto last = last_run_.find(step.name);
-  if (last == last_run_.end()) return std::max(1u, step.parts / first_share);
-  const double cost_s = cost_of(step);
-  if (cost_s <= 0) return std::min(last->second, step.parts);
-  const double fitting = beyond_slice * seconds / cost_s;
-  return std::max(
-      1u, static_cast<std::uint32_t>(std::min(fitting, double(max_growth) * double(last->second))));
-}
-
 void FrameRun::record_parts(VkCommandBuffer commands, double slice_s) {
   const bool cut = std::isfinite(slice_s);
   double planned_s = 0;
@@ -65,11 +40,11 @@ void FrameRun::record_parts(VkCommandBuffer commands, double slice_s) {
     const FrameStep& step = steps_[step_];
     std::uint32_t count = step.parts - part_;
     if (cut) {
-      const double cost_s = cost_of(step);
-      const bool known = cost_s > 0;
-      if (!submitted_.empty() && (!known || planned_s + cost_s > slice_s)) return;
-      count = std::min(count, parts_within(step, slice_s - planned_s));
-      planned_s += known ? cost_s * count / beyond_slice : slice_s;
+      const double part_s = costs_.of_part(step.name);
+      const bool known = part_s > 0;
+      if (!submitted_.empty() && (!known || planned_s + part_s > slice_s)) return;
+      count = std::min(count, costs_.parts_within(step.name, step.parts, slice_s - planned_s));
+      planned_s += known ? costs_.expect(step.name, count) : slice_s;
     } else if (submitted_.size() >= max_steps) {
       return;
     }
@@ -111,16 +86,12 @@ void FrameRun::learn(double elapsed_s) {
   const bool timed = spans.size() == submitted_.size();
   // Mesa's CPU driver may take the first time stamp after the first part has run (seen with a
   // window), so the host's clock decides where there is one part alone.
-  if (timed && submitted_.size() == 1) spans[0].ms = 1000 * elapsed_s;
+  if (timed && submitted_.size() == 1 && is_cpu_) spans[0].ms = 1000 * elapsed_s;
   for (std::size_t i = 0; i < submitted_.size(); ++i) {
     const FrameStep& step = steps_[submitted_[i].step];
     // Without timestamps, the parts of a submission share its time evenly.
     const double seconds = timed ? spans[i].ms / 1000 : elapsed_s / double(submitted_.size());
-    const double cost_s = std::max(seconds, 1e-9) / submitted_[i].count;
-    // The first run of a step compiles on some devices, and says nothing.
-    if (last_run_.count(step.name) != 0)
-      cost_s_[step.name] = std::max(cost_s, peak_kept * cost_of(step));
-    last_run_[step.name] = submitted_[i].count;
+    costs_.learn(step.name, submitted_[i].count, seconds);
   }
   for (const gpu::Timer::Span& span : spans) {
     if (!timings_.empty() && timings_.back().name == span.name)  // a part of the same step
@@ -133,7 +104,7 @@ void FrameRun::learn(double elapsed_s) {
 double FrameRun::share_done() const {
   double all = 0, done = 0;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const double cost = std::max(cost_of(steps_[i]), 1e-9);
+    const double cost = std::max(costs_.of_part(steps_[i].name), 1e-9);
     all += cost * steps_[i].parts;
     done += cost * (i < step_ ? steps_[i].parts : i == step_ ? part_ : 0);
   }

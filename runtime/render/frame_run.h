@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "runtime/gpu/submission.h"
 #include "runtime/gpu/timer.h"
+#include "runtime/render/step_costs.h"
 
 namespace nightcity::render {
 
@@ -24,7 +24,8 @@ struct FrameStep {
 class FrameRun {
  public:
   /// The device must outlive the object.
-  explicit FrameRun(gpu::Device& device) : timer_(device), submission_(device) {}
+  explicit FrameRun(gpu::Device& device)
+      : timer_(device), submission_(device), is_cpu_(device.info().kind == "cpu") {}
 
   /// Begins the steps of a frame. Nothing is submitted yet.
   void start(std::vector<FrameStep> steps);
@@ -54,20 +55,18 @@ class FrameRun {
     std::size_t step;
     std::uint32_t count;
   };
-  double cost_of(const FrameStep& step) const;  // seconds a part; 0 = not known
-  std::uint32_t parts_within(const FrameStep& step, double seconds) const;
   void record_parts(VkCommandBuffer commands, double slice_s);
   void learn(double elapsed_s);
 
   gpu::Timer timer_;
   gpu::Submission submission_;
+  const bool is_cpu_;
   std::vector<FrameStep> steps_;
   std::size_t step_ = 0;    // the next to be submitted,
   std::uint32_t part_ = 0;  // from this part on
   std::vector<Part> submitted_;
   double submitted_at_ = 0;
-  std::map<std::string, double> cost_s_;           // of the dearest part of late
-  std::map<std::string, std::uint32_t> last_run_;  // parts in that submission
+  StepCosts costs_;
   std::vector<gpu::Timer::Span> timings_;
   double busy_s_ = 0;
 };
