@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "formats/parallel.h"
+#include "formats/touch_pages.h"
 #include "runtime/gpu/vulkan_check.h"
 
 namespace nightcity::gpu {
@@ -21,6 +23,18 @@ std::uint32_t choose_type(const Device& device, std::uint32_t allowed, Memory me
                             memory == Memory::readback ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : 0);
 }
 
+// Copies what is large by all threads: more than half of the time passes until the system has got
+// the pages that are written to.
+void copy(void* to, const void* from, std::size_t bytes) {
+  constexpr std::size_t piece = std::size_t{1} << 20, min_parallel = 4 * piece;
+  run_parallel(
+      (bytes + piece - 1) / piece, bytes < min_parallel ? 1 : count_cores(), [&](std::size_t i) {
+        const std::span target(static_cast<std::byte*>(to) + i * piece,
+                               std::min(piece, bytes - i * piece));
+        touch_pages(target);
+        std::memcpy(target.data(), static_cast<const std::byte*>(from) + i * piece, target.size());
+      });
+}
 }  // namespace
 
 Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&device), bytes_(bytes) {
@@ -105,7 +119,7 @@ void Buffer::upload(const void* data, std::size_t bytes, std::size_t offset) {
   const Buffer staging(*device_, std::min(bytes, staging_bytes), Memory::host);
   for (std::size_t done = 0; done < bytes; done += staging_bytes) {
     const std::size_t piece = std::min(staging_bytes, bytes - done);
-    std::memcpy(staging.mapped(), static_cast<const char*>(data) + done, piece);
+    copy(staging.mapped(), static_cast<const char*>(data) + done, piece);
     device_->run([&](VkCommandBuffer commands) {
       const VkBufferCopy region{0, offset + done, piece};
       vkCmdCopyBuffer(commands, staging.handle(), buffer_, 1, &region);
@@ -119,7 +133,7 @@ void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offse
   if (mapped_ || !device_->has(memory_type_, host_access)) return upload(data, bytes, offset);
   void* target = nullptr;
   VK_CHECK(vkMapMemory(device_->handle(), memory_, offset, bytes, 0, &target));
-  std::memcpy(target, data, bytes);
+  copy(target, data, bytes);
   vkUnmapMemory(device_->handle(), memory_);
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "formats/cancel.h"
 #include "runtime/scene/alias_table.h"
 #include "runtime/scene/light_tree.h"
 
@@ -26,14 +27,25 @@ DeviceLights::DeviceLights(gpu::Device& device, const scene::RenderScene& scene,
   vehicle_lights_.push_back({});
   vehicle_lights_buffer_ = gpu::Buffer::of(device_, std::span<const Light>(vehicle_lights_));
   darken_vehicles(on_);
+  first_lit_ =
+      std::async(std::launch::async, [this, time_s = first.time_s, token = find_cancel_token()] {
+        const CancelScope scope(token);
+        scene::LitLights lit =
+            scene::lit_lights(lights_, families_, schedules_, switches_, time_s, on_);
+        const std::vector<float> flux = scene::flux_of(lit, lights_);
+        lit.alias = scene::build_alias_table(flux);
+        lit.near_grid = scene::build_light_grid(lights_, flux, scene::near_lists);
+        return lit;
+      });
+}
+
+void DeviceLights::finish() {
   // One table after the other, so that no two are in memory beside their copies on the device.
-  scene::LitLights lit =
-      scene::lit_lights(lights_, families_, schedules_, switches_, first.time_s, on_);
+  scene::LitLights lit = first_lit_.get();
+  upload_grid(0, std::exchange(lit.near_grid, {}));
   const std::vector<float> flux = scene::flux_of(lit, lights_);
-  lit.alias = scene::build_alias_table(flux);
-  upload_grid(0, scene::build_light_grid(lights_, flux, scene::near_lists));
-  upload_grid(1, scene::build_light_grid(lights_, flux, scene::far_lists));
   upload_switches(std::move(lit));
+  upload_grid(1, scene::build_light_grid(lights_, flux, scene::far_lists));
 }
 
 void DeviceLights::darken_vehicles(scene::LightFamilies on) {

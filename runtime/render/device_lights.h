@@ -16,8 +16,11 @@ namespace nightcity::render {
 class DeviceLights {
  public:
   /// Copies what it needs of `scene`. The lights of `first` are on, which set_time then finds made.
+  /// Some of their tables are made in the background until finish(), which comes before all else.
   DeviceLights(gpu::Device& device, const scene::RenderScene& scene,
                const scene::LightMoment& first);
+  /// Makes the other tables and uploads all.
+  void finish();
 
   /// Switches lights by their schedules to `time_s`, in seconds since noon, and those of families
   /// outside `on` off. Returns whether a static light changed. Must not be called while a frame is
@@ -75,7 +78,8 @@ class DeviceLights {
   gpu::LightTree tree_{};
   gpu::Buffer tree_nodes_, leaf_of_light_;
   bool when_ready_ = false;
-  std::future<scene::LitLights> next_lit_;  // uses lights_, so it is declared last: destroyed first
+  std::future<scene::LitLights> first_lit_;  // without its far grid, until finish()
+  std::future<scene::LitLights> next_lit_;   // both use lights_, so they are destroyed before it
 };
 
 }  // namespace nightcity::render

@@ -6,6 +6,7 @@
 #include "formats/error.h"
 #include "formats/parallel.h"
 #include "formats/srgb.h"
+#include "formats/touch_pages.h"
 
 namespace nightcity::render {
 namespace {
@@ -47,6 +48,7 @@ gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scen
         constexpr std::size_t piece = 1 << 14;
         run_parallel((to.size() + piece - 1) / piece, count_cores(), [&](std::size_t i) {
           const std::size_t begin = i * piece, count = std::min(piece, to.size() - begin);
+          touch_pages(to.subspan(begin, count));
           scene.triangles.gather(
               std::span<const std::uint32_t>(scene.triangle_order).subspan(first + begin, count),
               to.subspan(begin, count));
@@ -78,6 +80,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
     : device_(device) {
   check_memory(device, scene);
   loaded_ = scene::find_traits(scene);
+  lights_.emplace(device_, scene, first);  // makes tables while the geometry is stored
   if (!scene.textures.empty()) store_textures(scene);
   store_geometry(scene, released);
   addresses_.materials = store(std::span(scene.materials));
@@ -94,7 +97,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
   }
   bounds_ = scene.bounds;
   origin_ = scene.origin;
-  lights_.emplace(device_, scene, first);
+  lights_->finish();
   lights_->enter(addresses_);
   follow_sky();
   left_out_ = scene.left_out;

@@ -125,7 +125,7 @@ class DeviceScene {
   glm::dvec3 origin_{0};
   scene::PartSet left_out_;
   bool has_edited_lights_ = false;
-  std::optional<DeviceLights> lights_;  // made last, when released geometry no longer takes memory
+  std::optional<DeviceLights> lights_;
 };
 
 }  // namespace nightcity::render
