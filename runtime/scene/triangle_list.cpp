@@ -23,11 +23,12 @@ void TriangleList::copy_corners(std::size_t first, std::span<hierarchy::Corners>
 
 // Calls use(i, triangle) for each of these triangles, in their order: `stored` with a triangle, or
 // `mapped` with its block and vertices. They lie anywhere in the file, so the memory of some is
-// asked for before the first of them is used; `fetch` asks for more of a block's vertex.
+// asked for before the first of them is used: their indices, then their vertices. `fetch` asks for
+// more of a block's vertex.
 template <class Fetch, class Stored, class Mapped>
 void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, Stored stored,
                          Mapped mapped) const {
-  constexpr std::size_t at_once = 32;
+  constexpr std::size_t at_once = 64;
   struct Found {
     const Block* block;  // null: it is stored
     std::array<std::uint32_t, 3> corners;
@@ -47,14 +48,21 @@ void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, St
         f.place = block->stored + number - block->first;
         if (block->is_mapped) f.block = block;
       }
-      if (!f.block) {
+      if (f.block) {
+        f.place = number - block->first;
+        __builtin_prefetch(block->mapped.index_place(3 * f.place));
+      } else {
         __builtin_prefetch(&stored_[f.place]);
-        continue;
       }
-      f.corners = block->mapped.corners(number - block->first);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      Found& f = found[k];
+      if (!f.block) continue;
+      const MappedPrimitive& primitive = f.block->mapped;
+      f.corners = primitive.corners(f.place);
       for (const std::uint32_t corner : f.corners)
-        __builtin_prefetch(block->mapped.positions.first + corner * block->mapped.positions.stride);
-      fetch(block->mapped, f.corners[0]);
+        __builtin_prefetch(primitive.positions.first + corner * primitive.positions.stride);
+      fetch(primitive, f.corners[0]);
     }
     for (std::size_t k = 0; k < count; ++k) {
       if (found[k].block)
