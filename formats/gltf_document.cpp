@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/foreign_file.h"
@@ -205,8 +206,8 @@ std::size_t Document::bytes() const {
   return total;
 }
 
-std::shared_ptr<const SceneBytes> Document::take_files() {
-  root_ = nullptr;
+std::shared_ptr<const SceneBytes> Document::take_files(Json& json) {
+  json = std::exchange(root_, nullptr);
   return files_;
 }
 

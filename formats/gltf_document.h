@@ -37,8 +37,8 @@ class Document {
   std::span<const std::byte> file(const std::string& uri);
   /// Returns the number of bytes of all files that belong to the scene.
   std::size_t bytes() const;
-  /// Forgets the JSON, root() is null then, and returns the files, which buffers lie in.
-  std::shared_ptr<const SceneBytes> take_files();
+  /// Moves the JSON to `json`, root() is null then, and returns the files, which buffers lie in.
+  std::shared_ptr<const SceneBytes> take_files(Json& json);
   void release_pages() const { files_->release_pages(); }
 
  private:

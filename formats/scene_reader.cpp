@@ -1,7 +1,10 @@
 #include "formats/scene_reader.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <glm/common.hpp>
 #include <string>
 #include <utility>
@@ -284,6 +287,7 @@ struct SceneFile::Reading {
   Reader reader{document};
   std::atomic<std::size_t> resident = 0;
   bool in_parallel = false;
+  std::future<void> freeing{};  // of the JSON
 
   void release_pages_after(std::size_t bytes) {
     if ((resident += bytes) <= max_resident) return;
@@ -347,11 +351,19 @@ std::optional<MappedMesh> SceneFile::map_mesh(std::size_t index) {
 std::shared_ptr<const SceneBytes> SceneFile::close() {
   return with_name(reading_->path, [&] {
     reading_->reader.complete();
-    return reading_->document.take_files();
+    gltf::Json json;
+    auto files = reading_->document.take_files(json);
+    reading_->freeing = std::async(std::launch::async, [json = std::move(json)]() mutable {
+      json = nullptr;
+      // It was a million small pieces, which the C library would keep for others.
+      ::malloc_trim(0);
+    });
+    return files;
   });
 }
 
 Scene SceneFile::finish() {
+  if (reading_->freeing.valid()) reading_->freeing.get();
   return with_name(reading_->path, [&] { return reading_->reader.finish(); });
 }
 

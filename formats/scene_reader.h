@@ -52,7 +52,8 @@ class SceneFile {
   bool reads_in_parallel() const;
 
   /// Call it after the last mesh: completes scene(), and keeps nothing else but the files, which it
-  /// returns, since mapped primitives lie in them.
+  /// returns, since mapped primitives lie in them. The memory of the JSON goes back to the system
+  /// in the background, until finish() at the latest.
   std::shared_ptr<const SceneBytes> close();
 
   /// Returns the scene, with the materials that the meshes read so far need and without meshes.

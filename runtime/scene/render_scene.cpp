@@ -1,7 +1,5 @@
 #include "runtime/scene/render_scene.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -251,11 +249,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
     return std::make_shared<const SceneMesh>(file.read_mesh(mesh, mapped));
   };
   meshes.map = [&file](std::uint32_t mesh) { return file.map_mesh(mesh); };
-  meshes.close = [&] {
-    out.triangles.keep(file.close());
-    // The JSON was a million small pieces, which the C library would keep for others.
-    ::malloc_trim(0);
-  };
+  meshes.close = [&] { out.triangles.keep(file.close()); };
   meshes.in_parallel = file.reads_in_parallel();
   meshes.hierarchies = file.hierarchies();
   for (std::size_t i = 0; i < file.mesh_count(); ++i) {

@@ -176,15 +176,20 @@ std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleLi
                               std::span<std::uint32_t> order, BvhRoot& root) {
   if (stored.triangles != order.size()) return "it is of another number of triangles";
   Topology topology;
-  std::string fault =
-      hierarchy::decode_topology(stored.topology, stored.triangles, max_leaf, max_stack, topology);
-  if (fault.empty())
-    fault = hierarchy::decode_order(stored.order, static_cast<std::uint32_t>(first), order);
-  if (!fault.empty()) return fault;
+  std::array<std::string, 2> faults;
+  run_parallel(2, threads, [&](std::size_t i) {
+    faults[i] =
+        i == 0 ? hierarchy::decode_topology(stored.topology, stored.triangles, max_leaf, max_stack,
+                                            topology)
+               : hierarchy::decode_order(stored.order, static_cast<std::uint32_t>(first), order);
+  });
+  for (const std::string& fault : faults)
+    if (!fault.empty()) return fault;
   const std::size_t base = nodes.size();
   Measuring measuring(topology, triangles, first, order, nodes);
   const Box box = to_box(measuring.measure(threads));
   triangles.release_pages();
+  std::string fault;
   if (box.lower != stored.lower || box.upper != stored.upper)
     fault = "its triangles fill another box";
   else if (!(measuring.area_m2() <= max_area * stored.area_m2))
