@@ -1,5 +1,7 @@
 #include "runtime/render/device_lights.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -42,6 +44,7 @@ DeviceLights::DeviceLights(gpu::Device& device, const scene::RenderScene& scene,
 void DeviceLights::finish() {
   // One table after the other, so that no two are in memory beside their copies on the device.
   scene::LitLights lit = first_lit_.get();
+  ::malloc_trim(0);  // rows of the grid, which the threads that made it have freed
   upload_grid(0, std::exchange(lit.near_grid, {}));
   const std::vector<float> flux = scene::flux_of(lit, lights_);
   upload_switches(std::move(lit));
