@@ -26,6 +26,8 @@ constexpr double wait_s = 0.004;
 constexpr double alive_s = 0.05;
 // The line about what goes on is written anew so often.
 constexpr double report_s = 0.25;
+// Pictures are metered so far apart: each takes as long as a part of a frame on a GPU.
+constexpr double meter_s = 0.1;
 // A sleeping window looks for a signal so often.
 constexpr double sleep_s = 0.1;
 
@@ -95,6 +97,7 @@ class Viewer {
     controller_.set_now(now_s_);
     if (controller_.finish_opening()) {
       metering_.restart();
+      metered_s_ = -meter_s;
       // Once: what draws the panel keeps the first picture waiting, which draws it again.
       redraws_ = 1;
       reported_s_ = now_s_;
@@ -154,11 +157,13 @@ class Viewer {
         break;
     }
     describe_picture(*workbench_.picture(), stats_);
-    meter(*workbench_.picture());
+    is_metered_ = false;
     return true;
   }
 
   void meter(const LivePicture& picture) {
+    is_metered_ = true;
+    metered_s_ = now_s_;
     render::DisplaySettings& display = session_.state.settings.display;
     if (!session_.state.auto_exposure && !display.adapt_white) return;
     const Metered metered = picture.meter();
@@ -171,6 +176,7 @@ class Viewer {
   bool adapt_exposure(double elapsed_s) {
     LivePicture* picture = workbench_.picture();
     if (!picture || picture->is_busy() || !picture->has_picture()) return false;
+    if (!is_metered_ && now_s_ - metered_s_ >= meter_s) meter(*picture);
     ViewerState& state = session_.state;
     const bool begins = state.auto_exposure && !was_auto_;
     was_auto_ = state.auto_exposure;
@@ -248,6 +254,8 @@ class Viewer {
   Metering metering_;
   FrameIntervals intervals_;
   bool was_auto_ = false, was_adapting_ = false;
+  bool is_metered_ = true;       // the last picture
+  double metered_s_ = -meter_s;  // the time when one was
   bool minimised_ = false;
   bool new_picture_ = false;  // rendered, not yet shown
   bool drawn_ = false;        // since the last slice
