@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
 #include <utility>
 
 #include "formats/parallel.h"
 #include "formats/touch_pages.h"
+#include "runtime/gpu/staging.h"
 #include "runtime/gpu/vulkan_check.h"
 
 namespace nightcity::gpu {
 namespace {
-// Transfers go in pieces, so that a whole city need not lie in host-visible memory a second time.
-constexpr std::size_t staging_bytes = std::size_t{64} << 20;
 constexpr VkMemoryPropertyFlags device_local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
 constexpr VkMemoryPropertyFlags host_access =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
@@ -116,9 +114,10 @@ void Buffer::upload(const void* data, std::size_t bytes, std::size_t offset) {
     std::memcpy(static_cast<char*>(mapped_) + offset, data, bytes);
     return;
   }
-  const Buffer staging(*device_, std::min(bytes, staging_bytes), Memory::host);
-  for (std::size_t done = 0; done < bytes; done += staging_bytes) {
-    const std::size_t piece = std::min(staging_bytes, bytes - done);
+  const auto turn = device_->staging().take_turn();
+  const Buffer& staging = device_->staging().piece_of(bytes, Memory::host);
+  for (std::size_t done = 0; done < bytes; done += Staging::piece_bytes) {
+    const std::size_t piece = std::min(Staging::piece_bytes, bytes - done);
     copy(staging.mapped(), static_cast<const char*>(data) + done, piece);
     device_->run([&](VkCommandBuffer commands) {
       const VkBufferCopy region{0, offset + done, piece};
@@ -139,14 +138,18 @@ void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offse
 
 void Buffer::make_pieces(std::size_t count, std::size_t record_bytes, const MakePiece& make) {
   if (count == 0) return;
-  const std::size_t most = staging_bytes / record_bytes;
+  const std::size_t most = Staging::piece_bytes / record_bytes;
   const bool mapped = mapped_ || device_->has(memory_type_, host_access);
-  std::optional<Buffer> staging;
+  std::unique_lock<std::mutex> turn;
+  const Buffer* staging = nullptr;
   void* target = mapped_;
-  if (!mapped)
-    target = staging.emplace(*device_, std::min(count, most) * record_bytes, Memory::host).mapped();
-  else if (!mapped_)
+  if (!mapped) {
+    turn = device_->staging().take_turn();
+    staging = &device_->staging().piece_of(count * record_bytes, Memory::host);
+    target = staging->mapped();
+  } else if (!mapped_) {
     VK_CHECK(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &target));
+  }
   for (std::size_t first = 0; first < count; first += most) {
     const std::size_t size = std::min(most, count - first);
     make(staging ? target : static_cast<char*>(target) + first * record_bytes, first, size);
@@ -166,9 +169,10 @@ void Buffer::download(void* data, std::size_t bytes, std::size_t offset) const {
     std::memcpy(data, static_cast<const char*>(mapped_) + offset, bytes);
     return;
   }
-  const Buffer staging(*device_, std::min(bytes, staging_bytes), Memory::readback);
-  for (std::size_t done = 0; done < bytes; done += staging_bytes) {
-    const std::size_t piece = std::min(staging_bytes, bytes - done);
+  const auto turn = device_->staging().take_turn();
+  const Buffer& staging = device_->staging().piece_of(bytes, Memory::readback);
+  for (std::size_t done = 0; done < bytes; done += Staging::piece_bytes) {
+    const std::size_t piece = std::min(Staging::piece_bytes, bytes - done);
     device_->run([&](VkCommandBuffer commands) {
       const VkBufferCopy region{offset + done, 0, piece};
       vkCmdCopyBuffer(commands, buffer_, staging.handle(), 1, &region);

@@ -7,6 +7,7 @@
 
 #include "runtime/gpu/commands.h"
 #include "runtime/gpu/instance.h"
+#include "runtime/gpu/staging.h"
 #include "runtime/gpu/vulkan_check.h"
 
 namespace nightcity::gpu {
@@ -141,6 +142,7 @@ void Device::create_commands() {
   VkFenceCreateInfo fence_info{};
   fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   VK_CHECK(vkCreateFence(device_, &fence_info, nullptr, &fence_));
+  staging_ = std::make_unique<Staging>(*this);
 }
 
 Device::~Device() {
@@ -151,6 +153,7 @@ void Device::release() {
   if (device_) {
     vkDeviceWaitIdle(device_);
     pipelines_.reset();
+    staging_.reset();
     vkDestroyFence(device_, fence_, nullptr);
     vkDestroyCommandPool(device_, pool_, nullptr);
     vkDestroyDevice(device_, nullptr);

@@ -16,6 +16,8 @@
 
 namespace nightcity::gpu {
 
+class Staging;
+
 class Device {
  public:
   struct Options {
@@ -79,6 +81,9 @@ class Device {
   /// Throws Error with the bytes that are needed and those that are free.
   [[noreturn]] void refuse_memory(std::uint32_t memory_type, std::uint64_t bytes) const;
 
+  /// Returns the memory that transfers go through.
+  Staging& staging() { return *staging_; }
+
   /// Returns what pipelines are compiled with.
   VkPipelineCache pipelines() const { return pipelines_ ? pipelines_->handle() : VK_NULL_HANDLE; }
   const PipelineStore* pipeline_store() const { return pipelines_.get(); }
@@ -121,6 +126,7 @@ class Device {
   std::uint64_t max_memory_ = 0;
   std::atomic<std::uint64_t> taken_ = 0;
   std::unique_ptr<PipelineStore> pipelines_;
+  std::unique_ptr<Staging> staging_;
 };
 
 /// Makes all earlier writes of shaders and transfers visible to all later reads: the one barrier

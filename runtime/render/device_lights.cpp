@@ -45,10 +45,10 @@ void DeviceLights::finish() {
   // One table after the other, so that no two are in memory beside their copies on the device.
   scene::LitLights lit = first_lit_.get();
   ::malloc_trim(0);  // rows of the grid, which the threads that made it have freed
-  upload_grid(0, std::exchange(lit.near_grid, {}));
+  tables_.grids[0] = upload_grid(std::exchange(lit.near_grid, {}));
   const std::vector<float> flux = scene::flux_of(lit, lights_);
-  upload_switches(std::move(lit));
-  upload_grid(1, scene::build_light_grid(lights_, flux, scene::far_lists));
+  upload_lit(std::move(lit), tables_);
+  tables_.grids[1] = upload_grid(scene::build_light_grid(lights_, flux, scene::far_lists));
 }
 
 void DeviceLights::darken_vehicles(scene::LightFamilies on) {
@@ -60,12 +60,12 @@ void DeviceLights::darken_vehicles(scene::LightFamilies on) {
 
 bool DeviceLights::set_time(double time_s, scene::LightFamilies on) {
   darken_vehicles(on);
-  if (next_lit_.valid()) {
-    if (next_lit_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-    upload(next_lit_.get());
+  if (next_.valid()) {
+    if (next_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    take(next_.get());
     return true;
   }
-  if (lit_.steady.has(time_s) && on == on_ && edits_.empty()) return false;
+  if (tables_.lit.steady.has(time_s) && on == on_ && edits_.empty()) return false;
   on_ = on;
   for (const auto& [index, light] : std::exchange(edits_, {})) {
     if (index >= lights_.size()) continue;
@@ -73,91 +73,104 @@ bool DeviceLights::set_time(double time_s, scene::LightFamilies on) {
     edited_ = true;
   }
   scene::LitLights lit = scene::lit_lights(lights_, families_, schedules_, switches_, time_s, on);
-  if (!edited_ && lit.same_lights(lit_)) {
-    lit_.steady = lit.steady;
+  if (!edited_ && lit.same_lights(tables_.lit)) {
+    tables_.lit.steady = lit.steady;
     return false;
   }
-  const auto with_tables = [this](scene::LitLights of) {
-    scene::build_tables(of, lights_);
-    return of;
-  };
   if (when_ready_) {
-    next_lit_ = std::async(std::launch::async, with_tables, std::move(lit));
+    next_ = std::async(
+        std::launch::async,
+        [this, with_tree = needs_tree_](scene::LitLights of) {
+          return make_tables(std::move(of), with_tree);
+        },
+        std::move(lit));
     return false;
   }
-  upload(with_tables(std::move(lit)));
+  take(make_tables(std::move(lit), needs_tree_));
   return true;
 }
 
-void DeviceLights::upload(scene::LitLights lit) {
+DeviceLights::Tables DeviceLights::make_tables(scene::LitLights lit, bool with_tree) const {
+  scene::build_tables(lit, lights_);
+  Tables tables;
+  tables.grids[0] = upload_grid(std::exchange(lit.near_grid, {}));
+  tables.grids[1] = upload_grid(std::exchange(lit.far_grid, {}));
+  if (with_tree) tables.tree = upload_tree(lit);
+  upload_lit(std::move(lit), tables);
+  return tables;
+}
+
+void DeviceLights::take(Tables next) {
   changes_ += edited_ ? 2 : 1;
   if (std::exchange(edited_, false))
     lights_buffer_.upload(lights_.data(), lights_.size() * sizeof(Light));
-  upload_grid(0, std::exchange(lit.near_grid, {}));
-  upload_grid(1, std::exchange(lit.far_grid, {}));
-  upload_switches(std::move(lit));
+  bits_before_ = std::move(tables_.bits);
+  tables_ = std::move(next);
+  if (needs_tree_ && !tables_.tree) tables_.tree = upload_tree(tables_.lit);
 }
 
-void DeviceLights::upload_switches(scene::LitLights lit) {
-  lit_ = std::move(lit);
-  lit_parity_ ^= 1;
-  lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
-  lit_list_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.list));
-  alias_ = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit_.alias));
+void DeviceLights::upload_lit(scene::LitLights lit, Tables& tables) const {
+  tables.bits = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit.bits));
+  tables.list = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit.list));
+  tables.alias = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit.alias));
   // The device has the table now; the switches are kept to detect the next change.
-  lit_.alias = {};
-  if (needs_tree_) upload_tree();
+  lit.alias = {};
+  tables.lit = std::move(lit);
 }
 
 void DeviceLights::need_tree() {
   if (std::exchange(needs_tree_, true)) return;
-  upload_tree();
+  tables_.tree = upload_tree(tables_.lit);
 }
 
-void DeviceLights::upload_tree() {
-  const scene::LightTree tree = scene::build_light_tree(lights_, lit_.list);
-  tree_nodes_ = gpu::Buffer::of(device_, std::span<const gpu::LightNode>(tree.nodes));
-  leaf_of_light_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(tree.leaf_of_light));
-  tree_ = tree.shape;
-  tree_.nodes = tree_nodes_.address();
-  tree_.leaf_of_light = leaf_of_light_.address();
+DeviceLights::Tree DeviceLights::upload_tree(const scene::LitLights& lit) const {
+  const scene::LightTree tree = scene::build_light_tree(lights_, lit.list);
+  Tree result{gpu::Buffer::of(device_, std::span<const gpu::LightNode>(tree.nodes)),
+              gpu::Buffer::of(device_, std::span<const std::uint32_t>(tree.leaf_of_light)),
+              tree.shape};
+  result.tree.nodes = result.nodes.address();
+  result.tree.leaf_of_light = result.leaf_of_light.address();
+  return result;
 }
 
-void DeviceLights::upload_grid(std::size_t which, const scene::LightGrid& grid) {
-  cells_[which] = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells));
-  entries_[which] = gpu::Buffer::of(device_, std::span<const gpu::GridEntry>(grid.entries));
-  shapes_[which] = grid.shape;
+DeviceLights::Grid DeviceLights::upload_grid(const scene::LightGrid& grid) const {
+  return {gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells)),
+          gpu::Buffer::of(device_, std::span<const gpu::GridEntry>(grid.entries)), grid.shape};
 }
 
 void DeviceLights::enter(gpu::SceneBuffers& buffers) const {
   buffers.lights = lights_buffer_.address();
   buffers.traffic.vehicle_lights = vehicle_lights_buffer_.address();
-  buffers.lit = lit_bits_[lit_parity_].address();
-  buffers.lit_list = lit_list_.address();
-  buffers.lit_count = static_cast<std::uint32_t>(lit_.list.size());
-  buffers.alias = alias_.address();
-  buffers.near_grid = {shapes_[0], cells_[0].address(), entries_[0].address()};
-  buffers.far_grid = {shapes_[1], cells_[1].address(), entries_[1].address()};
-  buffers.light_tree = tree_;
+  buffers.lit = tables_.bits.address();
+  buffers.lit_list = tables_.list.address();
+  buffers.lit_count = static_cast<std::uint32_t>(tables_.lit.list.size());
+  buffers.alias = tables_.alias.address();
+  const auto address_of = [](const Grid& grid) {
+    return gpu::LightGridBuffers{grid.shape, grid.cells.address(), grid.entries.address()};
+  };
+  buffers.near_grid = address_of(tables_.grids[0]);
+  buffers.far_grid = address_of(tables_.grids[1]);
+  buffers.light_tree = tables_.tree ? tables_.tree->tree : gpu::LightTree{};
 }
 
 std::vector<double> DeviceLights::flux_now() const {
   std::vector<double> flux(lights_.size());
-  for (const std::uint32_t i : lit_.list) flux[i] = double(lights_[i].flux_lm);
+  for (const std::uint32_t i : tables_.lit.list) flux[i] = double(lights_[i].flux_lm);
   return flux;
 }
 
 double DeviceLights::flux_now(std::uint32_t light) const {
-  const bool shines = (lit_.bits[light / 32] >> (light % 32)) & 1;
+  const bool shines = (tables_.lit.bits[light / 32] >> (light % 32)) & 1;
   return shines ? double{lights_[light].flux_lm} : 0;
 }
 
 std::uint64_t DeviceLights::bytes() const {
   std::uint64_t total = 0;
-  for (const gpu::Buffer* buffer :
-       {&lights_buffer_, &vehicle_lights_buffer_, &lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_,
-        &cells_[0], &cells_[1], &entries_[0], &entries_[1], &tree_nodes_, &leaf_of_light_})
+  for (const gpu::Buffer* buffer : {&lights_buffer_, &vehicle_lights_buffer_, &bits_before_,
+                                    &tables_.bits, &tables_.list, &tables_.alias})
     total += buffer->bytes();
+  for (const Grid& grid : tables_.grids) total += grid.cells.bytes() + grid.entries.bytes();
+  if (tables_.tree) total += tables_.tree->nodes.bytes() + tables_.tree->leaf_of_light.bytes();
   return total;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <future>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "runtime/gpu/buffer.h"
@@ -27,11 +28,11 @@ class DeviceLights {
   /// being rendered. When lights change, the tables they are sampled from are built anew, which
   /// takes a second with tens of thousands of lights.
   bool set_time(double time_s, scene::LightFamilies on);
-  /// Makes set_time build the tables in the background from now on: lights change at the first call
-  /// after they are ready.
+  /// Makes set_time build and upload the tables in the background from now on: lights change at the
+  /// first call after they are ready.
   void switch_when_ready() { when_ready_ = true; }
   /// Returns whether tables are being built in the background, or edits wait for it.
-  bool switching() const { return next_lit_.valid() || !edits_.empty(); }
+  bool switching() const { return next_.valid() || !edits_.empty(); }
   /// Replaces a static light by another one of the same kind, at the next set_time.
   void edit(std::uint32_t index, const Light& light) { edits_[index] = light; }
 
@@ -51,11 +52,29 @@ class DeviceLights {
   void enter(gpu::SceneBuffers& buffers) const;
 
  private:
+  struct Grid {
+    gpu::Buffer cells, entries;
+    gpu::LightGridShape shape{};
+  };
+  struct Tree {
+    gpu::Buffer nodes, leaf_of_light;
+    gpu::LightTree tree{};
+  };
+  // The lights that shine and the tables that they are sampled from.
+  struct Tables {
+    scene::LitLights lit;  // without its tables
+    gpu::Buffer bits, list, alias;
+    Grid grids[2];  // near, far
+    std::optional<Tree> tree;
+  };
+
   void darken_vehicles(scene::LightFamilies on);
-  void upload(scene::LitLights lit);
-  void upload_switches(scene::LitLights lit);
-  void upload_grid(std::size_t which, const scene::LightGrid& grid);
-  void upload_tree();
+  // These may run in the background: they read the static lights, and the device takes turns.
+  Tables make_tables(scene::LitLights lit, bool with_tree) const;
+  void upload_lit(scene::LitLights lit, Tables& tables) const;
+  Grid upload_grid(const scene::LightGrid& grid) const;
+  Tree upload_tree(const scene::LitLights& lit) const;
+  void take(Tables next);
 
   gpu::Device& device_;
   std::vector<Light> lights_;  // static
@@ -67,19 +86,13 @@ class DeviceLights {
   std::uint32_t changes_ = 0;
   bool edited_ = false;  // lights_ is newer than lights_buffer_
   scene::LightFamilies on_ = scene::all_families, vehicles_on_ = scene::all_families;
-  scene::LitLights lit_;
   gpu::Buffer lights_buffer_, vehicle_lights_buffer_;
-  // The current switches and those before the last change, which the previous frame may have used.
-  gpu::Buffer lit_bits_[2];
-  int lit_parity_ = 0;
-  gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: near, far
-  gpu::LightGridShape shapes_[2]{};
+  Tables tables_;
+  gpu::Buffer bits_before_;  // the last change: the frame before may have used them
   bool needs_tree_ = false;
-  gpu::LightTree tree_{};
-  gpu::Buffer tree_nodes_, leaf_of_light_;
   bool when_ready_ = false;
   std::future<scene::LitLights> first_lit_;  // without its far grid, until finish()
-  std::future<scene::LitLights> next_lit_;   // both use lights_, so they are destroyed before it
+  std::future<Tables> next_;  // both use what is above, so they are destroyed before it
 };
 
 }  // namespace nightcity::render

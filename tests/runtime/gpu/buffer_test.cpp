@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
 #include <string>
+#include <thread>
 
 #include "formats/error.h"
 #include "support/gpu.h"
@@ -33,6 +35,24 @@ TEST(Buffer, UploadsAndDownloadsInPieces) {
   buffer.download(back.data(), back.size() * 4, 16);
   EXPECT_EQ(back, values);
   EXPECT_TRUE(test_device().validation_messages().empty());
+}
+
+// A city is uploaded in the background while pictures of another are rendered and read.
+TEST(Buffer, TransfersOfSeveralThreadsDoNotMix) {
+  std::vector<std::thread> threads;
+  std::array<bool, 3> same{};
+  for (std::uint32_t t = 0; t < same.size(); ++t)
+    threads.emplace_back([&same, t] {
+      const std::vector<std::uint32_t> values((std::size_t{20} << 20) / 4, t);
+      gpu::Buffer buffer(test_device(), values.size() * 4);
+      same[t] = true;
+      for (int i = 0; i < 3; ++i) {
+        buffer.upload(values.data(), values.size() * 4);
+        same[t] = same[t] && buffer.read<std::uint32_t>(values.size()) == values;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t t = 0; t < same.size(); ++t) EXPECT_TRUE(same[t]) << t;
 }
 
 TEST(Buffer, BytesWrittenBeforeFirstUseAreThere) {
