@@ -40,7 +40,7 @@ struct LodChoice {
 LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
   std::vector<LodChooser> present(raw.spaces.size(), LodChooser(options.max_lod));
   LodChooser whole(options.max_lod);  // of spaces that can stand for the object alone
-  for (const RawPolygon& p : raw.polygons) {
+  for (const RawPolygons::Place& p : raw.polygons.places()) {
     if (p.lod == unknown_lod) continue;
     present[p.space].add(p.lod);
     if (!raw.spaces[p.space].detail) whole.add(p.lod);
@@ -102,9 +102,9 @@ bool same_vertices(const Polygon& a, const Polygon& b) {
 // The polygons that were kept, to find those that repeat one of them.
 class KeptPolygons {
  public:
-  explicit KeptPolygons(const std::vector<RawPolygon>& raws) {
+  explicit KeptPolygons(const std::vector<Polygon>& raws) {
     hashes_.reserve(raws.size());
-    for (const RawPolygon& raw : raws) hashes_.push_back(vertex_set_hash(raw.polygon));
+    for (const Polygon& raw : raws) hashes_.push_back(vertex_set_hash(raw));
     std::vector<std::uint64_t> sorted = hashes_;
     std::sort(sorted.begin(), sorted.end());
     any_repeats_ = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
@@ -140,29 +140,35 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
   CityObject object = std::move(raw.object);
   const LodChoice choice = choose_lods(raw, options);
   object.lod = choice.of_object;
-  object.polygons.reserve(raw.polygons.size());
-  KeptPolygons kept_polygons(raw.polygons);
-  for (std::size_t i = 0; i < raw.polygons.size(); ++i) {
-    RawPolygon& p = raw.polygons[i];
+  std::vector<Polygon>& polygons = raw.polygons.polygons();  // the first `count` are kept
+  const std::vector<RawPolygons::Place>& places = raw.polygons.places();
+  std::size_t count = 0;
+  KeptPolygons kept_polygons(polygons);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const RawPolygons::Place& p = places[i];
     if (p.lod != unknown_lod && choice.of_space[p.space] != p.lod) {
       ++report.skipped["polygon: lod" + std::to_string(p.lod) + ", another LoD taken"];
       continue;
     }
-    const auto alike = kept_polygons.find_or_keep(i, object.polygons.size());
-    if (!alike || !same_vertices(object.polygons[*alike], p.polygon)) {
-      object.polygons.push_back(std::move(p.polygon));
+    const auto alike = kept_polygons.find_or_keep(i, count);
+    if (!alike || !same_vertices(polygons[*alike], polygons[i])) {
+      if (count != i) polygons[count] = std::move(polygons[i]);
+      ++count;
       continue;
     }
     ++report.skipped["polygon: repeats another of its object"];
     // The copy with a surface type wins: solids have none.
-    Polygon& kept = object.polygons[*alike];
-    if (kept.surface == SurfaceType::unknown && p.polygon.surface != SurfaceType::unknown)
-      kept = std::move(p.polygon);
+    Polygon& kept = polygons[*alike];
+    if (kept.surface == SurfaceType::unknown && polygons[i].surface != SurfaceType::unknown)
+      kept = std::move(polygons[i]);
   }
+  polygons.resize(count);
+  if (polygons.capacity() > count + count / 4) polygons.shrink_to_fit();
+  object.polygons = std::move(polygons);
   if (!object.continues) {
     ++report.objects;
-    const bool lod0_alone = std::all_of(raw.polygons.begin(), raw.polygons.end(),
-                                        [](const RawPolygon& p) { return p.lod == 0; });
+    const bool lod0_alone = std::all_of(places.begin(), places.end(),
+                                        [](const RawPolygons::Place& p) { return p.lod == 0; });
     if (lod0_alone && is_flat_building(object))
       ++(extrude_flat_building(object, options.height_unit_m) ? report.extruded : report.flat);
   }

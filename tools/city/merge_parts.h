@@ -2,18 +2,56 @@
 // polygons that come twice.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/city/city_reader.h"
 
 namespace nightcity::city {
 
-struct RawPolygon {
-  Polygon polygon;
-  int lod = -1;             // -1: the file does not say
-  std::uint32_t space = 0;  // index into RawObject::spaces
+/// The polygons of all levels of detail and spaces. They lie as the object is to have them, so that
+/// those of an object that loses none need not be moved.
+class RawPolygons {
+ public:
+  struct Place {
+    int lod = -1;             // -1: the file does not say
+    std::uint32_t space = 0;  // index into RawObject::spaces
+  };
+
+  /// Returns the new polygon, to be filled where it stays.
+  Polygon& add(Place place) {
+    places_.push_back(place);
+    return polygons_.emplace_back();
+  }
+  void add(Polygon&& polygon, Place place) {
+    places_.push_back(place);
+    polygons_.push_back(std::move(polygon));
+  }
+  /// Takes the last polygon away again.
+  void drop_last() {
+    places_.pop_back();
+    polygons_.pop_back();
+  }
+  /// Makes room for `more`, and for as many as there are: each geometry of an object asks.
+  void make_room(std::size_t more) {
+    if (polygons_.capacity() - polygons_.size() >= more) return;
+    polygons_.reserve(size() + std::max(size(), more));
+    places_.reserve(polygons_.capacity());
+  }
+
+  std::size_t size() const { return polygons_.size(); }
+  bool empty() const { return polygons_.empty(); }
+  Polygon& operator[](std::size_t i) { return polygons_[i]; }
+  const std::vector<Polygon>& polygons() const { return polygons_; }
+  std::vector<Polygon>& polygons() { return polygons_; }
+  const std::vector<Place>& places() const { return places_; }  // beside them
+
+ private:
+  std::vector<Polygon> polygons_;
+  std::vector<Place> places_;
 };
 
 /// A building, one of its parts, an installation on it, ...
@@ -24,7 +62,7 @@ struct RawSpace {
 struct RawObject {
   CityObject object;  // without polygons
   std::vector<RawSpace> spaces{1};
-  std::vector<RawPolygon> polygons;
+  RawPolygons polygons;
   bool has_ended = false;  // it was taken out of the model
 };
 

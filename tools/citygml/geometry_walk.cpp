@@ -75,7 +75,7 @@ const RingTexture* GeometryWalk::find_ring_texture(const pugi::xml_node& ring) c
 }
 
 void GeometryWalk::read(const pugi::xml_node& property, const GeometryContext& context,
-                        std::vector<city::RawPolygon>& out) {
+                        city::RawPolygons& out) {
   out_ = &out;
   const std::string_view href = find_attribute(property, "href");
   if (!href.empty() && !property.first_child()) follow(property, href, context);
@@ -83,7 +83,7 @@ void GeometryWalk::read(const pugi::xml_node& property, const GeometryContext& c
 }
 
 void GeometryWalk::read_element(const pugi::xml_node& geometry, const GeometryContext& context,
-                                std::vector<city::RawPolygon>& out) {
+                                city::RawPolygons& out) {
   out_ = &out;
   walk(geometry, context);
 }
@@ -250,7 +250,7 @@ void GeometryWalk::add(city::Polygon&& polygon, const GeometryContext& context) 
     place(polygon.exterior);
     for (city::Ring& ring : polygon.interiors) place(ring);
   }
-  out_->push_back({std::move(polygon), context.lod, context.space});
+  out_->add(std::move(polygon), {context.lod, context.space});
 }
 
 void GeometryWalk::add_place(const glm::dvec3& place, const SrsName& srs_name) {

@@ -54,11 +54,10 @@ class GeometryWalk {
 
   /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out` and counts what cannot be
   /// used. A polygon reached twice (a solid's xlink to a wall) is added once.
-  void read(const pugi::xml_node& property, const GeometryContext& context,
-            std::vector<city::RawPolygon>& out);
+  void read(const pugi::xml_node& property, const GeometryContext& context, city::RawPolygons& out);
   /// The same for a geometry element itself.
   void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
-                    std::vector<city::RawPolygon>& out);
+                    city::RawPolygons& out);
   /// Adds every vertex below `property` to the object: break lines to its `lines`, single vertices
   /// to its `points`. Those of another CRS than the first are skipped and counted.
   void read_points(const pugi::xml_node& property, const GeometryContext& context,
@@ -126,7 +125,7 @@ class GeometryWalk {
   Materials local_materials_;
   const Materials* file_materials_ = nullptr;
   SrsScope* srs_scope_ = nullptr;  // null: the member names no CRS
-  std::vector<city::RawPolygon>* out_ = nullptr;
+  city::RawPolygons* out_ = nullptr;
   city::CityObject* plant_ = nullptr;
   using Visits = std::unordered_set<Visit, VisitHash>;
   Visits visited_;  // elements of this member

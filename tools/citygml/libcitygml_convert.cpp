@@ -165,7 +165,7 @@ struct Converter {
     const auto [at, fresh] = taken.emplace(Seen{&polygon, lod}, out.raw.polygons.size());
     if (!fresh && !context.matrix) {
       if (at->second < out.raw.polygons.size()) {
-        city::SurfaceType& surface = out.raw.polygons[at->second].polygon.surface;
+        city::SurfaceType& surface = out.raw.polygons[at->second].surface;
         if (surface == city::SurfaceType::unknown) surface = context.surface;
       }
       return;
@@ -176,32 +176,29 @@ struct Converter {
       ++out.skipped["polygon: inside a building"];
       return;
     }
-    city::RawPolygon raw;
-    raw.lod = lod;
-    raw.space = context.space;
-    raw.polygon.id = polygon.getId();
-    raw.polygon.surface = context.surface;
-    if (const auto exterior = polygon.exteriorRing())
-      raw.polygon.exterior = ring_of(*exterior, context);
+    city::Polygon raw;
+    raw.id = polygon.getId();
+    raw.surface = context.surface;
+    if (const auto exterior = polygon.exteriorRing()) raw.exterior = ring_of(*exterior, context);
     for (const auto& interior : polygon.interiorRings())
-      if (interior) raw.polygon.interiors.push_back(ring_of(*interior, context));
+      if (interior) raw.interiors.push_back(ring_of(*interior, context));
     if (polygon.negNormal()) {
-      std::reverse(raw.polygon.exterior.begin(), raw.polygon.exterior.end());
-      for (city::Ring& ring : raw.polygon.interiors) std::reverse(ring.begin(), ring.end());
+      std::reverse(raw.exterior.begin(), raw.exterior.end());
+      for (city::Ring& ring : raw.interiors) std::reverse(ring.begin(), ring.end());
     }
     for (const std::string& theme : themes) {
       const auto material = polygon.getMaterialFor(theme);
       if (!material) continue;
       const TVec3f c = material->getDiffuse();
-      raw.polygon.diffuse_colour = glm::vec3{c.x, c.y, c.z};
+      raw.diffuse_colour = glm::vec3{c.x, c.y, c.z};
       break;
     }
-    if (raw.polygon.exterior.size() < 3) {
+    if (raw.exterior.size() < 3) {
       at->second = static_cast<std::size_t>(-1);
       ++out.skipped["polygon: ring of fewer than three vertices"];
       return;
     }
-    out.raw.polygons.push_back(std::move(raw));
+    out.raw.polygons.add(std::move(raw), {lod, context.space});
   }
 
   void walk_geometry(const ::citygml::Geometry& geometry, int lod, const Context& context) {

@@ -33,7 +33,7 @@ class Fetcher {
       library_.max_vertices = room_;
       city::SkipCounter counted_where_it_stands;
       GeometryWalk walk(member, library_, counted_where_it_stands);
-      std::vector<city::RawPolygon> raws;
+      city::RawPolygons raws;
       walk.set_srs_scope(&scope_);
       GeometryContext context;
       context.srs_name = scope_.to_name(find_srs_name(element), scope_.name_of_rest());
@@ -50,9 +50,9 @@ class Fetcher {
   FetchedGeometry finish() && { return {std::move(library_.polygons), without_room_.size()}; }
 
  private:
-  void take(const std::string& id, const GeometryWalk& walk, std::vector<city::RawPolygon>&& raws) {
+  void take(const std::string& id, const GeometryWalk& walk, city::RawPolygons&& raws) {
     std::size_t vertices = 0;
-    for (const city::RawPolygon& raw : raws) vertices += city::count_vertices(raw.polygon);
+    for (const city::Polygon& raw : raws.polygons()) vertices += city::count_vertices(raw);
     if (walk.took_too_many() || vertices > room_) {
       without_room_.insert(id);
       return;
@@ -61,7 +61,7 @@ class Fetcher {
     std::vector<LinkedPolygon>& polygons = library_.polygons[id];
     for (std::size_t i = 0; i < raws.size(); ++i) {
       const std::uint64_t known = i < walk.linked_numbers().size() ? walk.linked_numbers()[i] : 0;
-      polygons.push_back({std::move(raws[i].polygon), known > 0 ? known : next_++});
+      polygons.push_back({std::move(raws[i]), known > 0 ? known : next_++});
     }
   }
 

@@ -52,11 +52,6 @@ std::size_t count_its_polygons(const dom::object& geometry) {
   return depth && boundaries ? count_at(*boundaries, *depth) : 0;
 }
 
-// Makes room for `more` polygons, and for as many as there are: each geometry of an object asks.
-void grow(std::vector<city::RawPolygon>& out, std::size_t more) {
-  if (out.capacity() - out.size() < more) out.reserve(out.size() + std::max(out.size(), more));
-}
-
 // Steps through an array of values that belong to others; gives null where there is none.
 class Alongside {
  public:
@@ -104,7 +99,7 @@ void list_rings(const dom::element& boundaries, std::vector<std::vector<std::siz
 }
 
 void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
-                          city::SurfaceType surface, std::vector<city::RawPolygon>& out) {
+                          city::SurfaceType surface, city::RawPolygons& out) {
   placed_polygons_ = 0;
   std::map<int, double> finest;
   for (const dom::element& element : geometries)
@@ -138,7 +133,7 @@ void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
 }
 
 void GeometryReader::read_geometry(const dom::object& geometry, Context context,
-                                   std::vector<city::RawPolygon>& out) {
+                                   city::RawPolygons& out) {
   const std::string_view type = find_text(geometry, "type");
   const auto depth = find_surface_depth(type);
   const auto boundaries = find_member(geometry, "boundaries");
@@ -227,7 +222,7 @@ const glm::vec3* GeometryReader::find_colour(const dom::element& index) const {
 }
 
 void GeometryReader::walk(const dom::element& boundaries, const Beside& beside, int depth,
-                          const Context& context, std::vector<city::RawPolygon>& out) {
+                          const Context& context, city::RawPolygons& out) {
   dom::array children;
   if (boundaries.get(children) != simdjson::SUCCESS) {
     skipped_.add("boundaries that are no array");
@@ -235,7 +230,7 @@ void GeometryReader::walk(const dom::element& boundaries, const Beside& beside, 
   }
   Alongside semantics_of(beside.semantics), materials_of(beside.material),
       textures_of(beside.texture);
-  if (depth == 0) grow(out, children.size());
+  if (depth == 0) out.make_room(children.size());
   for (const dom::element& child : children) {
     const Beside its{semantics_of.take(), materials_of.take(), textures_of.take()};
     if (depth == 0)
@@ -264,14 +259,12 @@ const char* GeometryReader::read_ring(const dom::element& indices,
 }
 
 void GeometryReader::read_surface(const dom::element& rings, const Beside& beside,
-                                  const Context& context, std::vector<city::RawPolygon>& out) {
-  city::RawPolygon& raw = out.emplace_back();  // made where it stays: a polygon is large to move
-  raw.lod = context.lod;
-  raw.space = context.space;
-  if (!read_polygon(rings, beside, context, raw.polygon))
-    out.pop_back();
+                                  const Context& context, city::RawPolygons& out) {
+  city::Polygon& polygon = out.add({context.lod, context.space});
+  if (!read_polygon(rings, beside, context, polygon))
+    out.drop_last();
   else if (beside.texture)
-    read_texture(*beside.texture, raw.polygon);
+    read_texture(*beside.texture, polygon);
 }
 
 bool GeometryReader::skip(std::string_view reason) {
@@ -351,7 +344,7 @@ bool GeometryReader::read_polygon(const dom::element& rings, const Beside& besid
 
 // A template placed by a 4 x 4 matrix, in rows, and a reference point added to it.
 void GeometryReader::read_instance(const dom::object& geometry, const Context& context,
-                                   std::vector<city::RawPolygon>& out) {
+                                   city::RawPolygons& out) {
   glm::dvec3 anchor{0};
   const auto matrix = read_placement(geometry, anchor);
   if (!matrix) return;
@@ -373,9 +366,9 @@ void GeometryReader::read_instance(const dom::object& geometry, const Context& c
     for (glm::dvec3& p : ring) p = glm::dvec3(*matrix * glm::dvec4(p, 1.0));
   };
   for (std::size_t i = first; i < out.size(); ++i) {
-    out[i].polygon.anchor = anchor;
-    place(out[i].polygon.exterior);
-    for (city::Ring& ring : out[i].polygon.interiors) place(ring);
+    out[i].anchor = anchor;
+    place(out[i].exterior);
+    for (city::Ring& ring : out[i].interiors) place(ring);
   }
 }
 

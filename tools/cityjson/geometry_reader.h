@@ -37,7 +37,7 @@ class GeometryReader {
   /// of one level (1.2 and 1.3) the finest is taken. `surface`: of polygons without semantics.
   /// Counts what cannot be used.
   void read(const dom::array& geometries, std::uint32_t space, city::SurfaceType surface,
-            std::vector<city::RawPolygon>& out);
+            city::RawPolygons& out);
 
  private:
   // A polygon's semantic surface.
@@ -59,10 +59,8 @@ class GeometryReader {
     const dom::element *semantics = nullptr, *material = nullptr, *texture = nullptr;
   };
 
-  void read_geometry(const dom::object& geometry, Context context,
-                     std::vector<city::RawPolygon>& out);
-  void read_instance(const dom::object& geometry, const Context& context,
-                     std::vector<city::RawPolygon>& out);
+  void read_geometry(const dom::object& geometry, Context context, city::RawPolygons& out);
+  void read_instance(const dom::object& geometry, const Context& context, city::RawPolygons& out);
   /// Returns where the geometry puts its template, and its reference point in `anchor`; none, and
   /// counted, where it does not say.
   std::optional<glm::dmat4> read_placement(const dom::object& geometry, glm::dvec3& anchor);
@@ -70,9 +68,9 @@ class GeometryReader {
   void read_semantics(const dom::object& geometry, Context& context);
   const glm::vec3* find_colour(const dom::element& index) const;
   void walk(const dom::element& boundaries, const Beside& beside, int depth, const Context& context,
-            std::vector<city::RawPolygon>& out);
+            city::RawPolygons& out);
   void read_surface(const dom::element& rings, const Beside& beside, const Context& context,
-                    std::vector<city::RawPolygon>& out);
+                    city::RawPolygons& out);
   /// Returns whether the polygon can be used; counts why it cannot.
   bool read_polygon(const dom::element& rings, const Beside& beside, const Context& context,
                     city::Polygon& polygon);

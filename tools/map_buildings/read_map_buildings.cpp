@@ -158,7 +158,7 @@ class ObjectMaker {
         for (city::Ring& hole : polygon.interiors) place(hole);
         if (polygon.surface == city::SurfaceType::wall) polygon.diffuse_colour = walls;
         if (polygon.surface == city::SurfaceType::roof) polygon.diffuse_colour = roof;
-        raw.polygons.push_back({std::move(polygon), -1, 0});
+        raw.polygons.add(std::move(polygon), {});
       }
       if (made_flat) skipped_.add("roof whose shape does not fit its outline, shown flat");
     }

@@ -99,7 +99,7 @@ city::RawObject to_raw(const Faces& faces, const Vertices& vertices, const FaceP
       if (pictures && material->texture)
         pictures->lay(*material->texture, places, polygon, pixels_left, skipped);
     }
-    raw.polygons.push_back({std::move(polygon), -1, 0});
+    raw.polygons.add(std::move(polygon), {});
   }
   skipped.merge_into(report.skipped);
   return raw;
