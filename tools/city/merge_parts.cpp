@@ -105,9 +105,7 @@ class KeptPolygons {
   explicit KeptPolygons(const std::vector<Polygon>& raws) {
     hashes_.reserve(raws.size());
     for (const Polygon& raw : raws) hashes_.push_back(vertex_set_hash(raw));
-    std::vector<std::uint64_t> sorted = hashes_;
-    std::sort(sorted.begin(), sorted.end());
-    any_repeats_ = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+    any_repeats_ = hashes_.size() <= max_compared ? any_pair_is_alike() : has_repeats(hashes_);
   }
 
   // Returns the index under which a polygon of the same hash was kept; keeps this one, the
@@ -119,6 +117,19 @@ class KeptPolygons {
   }
 
  private:
+  static constexpr std::size_t max_compared = 16;  // so few are compared faster than sorted
+
+  bool any_pair_is_alike() const {
+    for (std::size_t i = 1; i < hashes_.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (hashes_[i] == hashes_[k]) return true;
+    return false;
+  }
+  static bool has_repeats(std::vector<std::uint64_t> hashes) {
+    std::sort(hashes.begin(), hashes.end());
+    return std::adjacent_find(hashes.begin(), hashes.end()) != hashes.end();
+  }
+
   std::vector<std::uint64_t> hashes_;
   bool any_repeats_ = false;
   std::unordered_map<std::uint64_t, std::size_t> kept_;

@@ -101,9 +101,10 @@ void list_rings(const dom::element& boundaries, std::vector<std::vector<std::siz
 void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
                           city::SurfaceType surface, city::RawPolygons& out) {
   placed_polygons_ = 0;
-  std::map<int, double> finest;
+  std::map<int, double> finest;  // of each level; a geometry that is alone is the finest
+  const bool several = geometries.size() > 1;
   for (const dom::element& element : geometries)
-    if (dom::object geometry; element.get(geometry) == simdjson::SUCCESS)
+    if (dom::object geometry; several && element.get(geometry) == simdjson::SUCCESS)
       if (const auto lod = find_lod(geometry)) {
         const auto [at, is_new] = finest.try_emplace(static_cast<int>(*lod), *lod);
         at->second = std::max(at->second, *lod);
@@ -120,7 +121,7 @@ void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
     context.surface = surface;
     if (const auto lod = find_lod(geometry)) {
       context.lod = static_cast<int>(*lod);
-      if (*lod < finest[context.lod]) {
+      if (several && *lod < finest[context.lod]) {
         skipped_.add("polygon: a refined LoD, a finer one taken", count_its_polygons(geometry));
         continue;
       }

@@ -134,7 +134,8 @@ std::optional<city::RawObject> read_object(std::span<const GroupMember> group,
       count_skipped(root, "polygon: of an extension's object", skipped);
       return {};
   }
-  city::RawObject raw;
+  std::optional<city::RawObject> made(std::in_place);  // as it is returned: it is large to move
+  city::RawObject& raw = *made;
   raw.object.id = root.id;
   raw.object.class_name = find_text(root.object, "type");
   raw.object.type = root.what.type;
@@ -149,7 +150,7 @@ std::optional<city::RawObject> read_object(std::span<const GroupMember> group,
     raw.spaces.push_back({member.what.role == ObjectRole::detail});
     read_member(member, space, geometry, raw, skipped);
   }
-  return raw;
+  return made;
 }
 
 }  // namespace nightcity::cityjson
