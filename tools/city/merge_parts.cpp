@@ -117,7 +117,7 @@ class KeptPolygons {
   }
 
  private:
-  static constexpr std::size_t max_compared = 16;  // so few are compared faster than sorted
+  static constexpr std::size_t max_compared = 16;  // so few are compared faster than looked up
 
   bool any_pair_is_alike() const {
     for (std::size_t i = 1; i < hashes_.size(); ++i)
@@ -125,7 +125,22 @@ class KeptPolygons {
         if (hashes_[i] == hashes_[k]) return true;
     return false;
   }
-  static bool has_repeats(std::vector<std::uint64_t> hashes) {
+  static bool has_repeats(const std::vector<std::uint64_t>& hashes) {
+    // Each goes to its place or the next free one; 0 stands for a free place.
+    std::vector<std::uint64_t> table(std::bit_ceil(2 * hashes.size()));
+    const std::size_t mask = table.size() - 1;
+    std::size_t zeros = 0, steps = 0;
+    for (const std::uint64_t hash : hashes) {
+      std::size_t at = hash & mask;
+      for (; table[at] != 0 && table[at] != hash; at = (at + 1) & mask) ++steps;
+      if (steps > 4 * table.size()) return has_repeats_sorted(hashes);  // made to collide
+      zeros += hash == 0;
+      if (table[at] == hash && (hash != 0 || zeros > 1)) return true;
+      table[at] = hash;
+    }
+    return false;
+  }
+  static bool has_repeats_sorted(std::vector<std::uint64_t> hashes) {
     std::sort(hashes.begin(), hashes.end());
     return std::adjacent_find(hashes.begin(), hashes.end()) != hashes.end();
   }
