@@ -72,7 +72,8 @@ class Document {
       if (key == "CityObjects") throw Error(where(value), "\"CityObjects\" is no object");
       parsers_.emplace_back(text, name, max_part);
       const std::vector<dom::element> parsed = parsers_.back().parse(std::span(&value, 1));
-      shared_.read(key, parsed.front(), where(value), skipped_);
+      shared_.read(
+          key, parsed.front(), [&, text = value] { return where(text); }, skipped_);
     }
     shared_.require_type(name);
   }

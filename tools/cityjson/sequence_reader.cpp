@@ -47,7 +47,9 @@ struct Header {
     dom::object object;
     if (value.get(object) != simdjson::SUCCESS)
       throw Error(name, number, "is no CityJSON: it is no JSON object");
-    for (const auto& [key, member] : object) shared.read(key, member, where, skipped);
+    for (const auto& [key, member] : object)
+      shared.read(
+          key, member, [&] { return where; }, skipped);
     shared.require_type(where);
   }
 };

@@ -29,7 +29,7 @@ glm::dvec2 read_place(const dom::element& value) {
           to_number(array.at(1).value()).value_or(none)};
 }
 
-Transform read_transform(const dom::element& value, const std::string& where) {
+Transform read_transform(const dom::element& value, const Where& where) {
   dom::object object;
   if (value.get(object) == simdjson::SUCCESS) {
     const auto find_vector = [&](std::string_view key) {
@@ -40,7 +40,7 @@ Transform read_transform(const dom::element& value, const std::string& where) {
     if (scale && translate && scale->x != 0 && scale->y != 0 && scale->z != 0)
       return {*scale, *translate};
   }
-  throw Error(where, "\"transform\" needs \"scale\" and \"translate\" of three numbers each");
+  throw Error(where(), "\"transform\" needs \"scale\" and \"translate\" of three numbers each");
 }
 
 bool is_digits(std::string_view text) {
@@ -119,25 +119,26 @@ void SharedParts::read_templates(const dom::object& value) {
   }
 }
 
-void SharedParts::read(std::string_view key, const dom::element& value, const std::string& where,
+void SharedParts::read(std::string_view key, const dom::element& value, const Where& where,
                        city::SkipCounter& skipped) {
   dom::object object;
   const bool is_object = value.get(object) == simdjson::SUCCESS;
   if (key == "type") {
     std::string_view type;
     if (value.get(type) != simdjson::SUCCESS || type != "CityJSON")
-      throw Error(where, "is no CityJSON: its \"type\" is " +
-                             (type.empty() ? "no text" : "\"" + std::string(type) + "\"") +
-                             (type == "CityJSONFeature" ? ", which needs a first line of type "
-                                                          "\"CityJSON\" with CRS and transform"
-                                                        : ""));
+      throw Error(where(), "is no CityJSON: its \"type\" is " +
+                               (type.empty() ? "no text" : "\"" + std::string(type) + "\"") +
+                               (type == "CityJSONFeature" ? ", which needs a first line of type "
+                                                            "\"CityJSON\" with CRS and transform"
+                                                          : ""));
     has_type_ = true;
   } else if (key == "version") {
     version = to_text(value);
     if (version == "1" || version == "2") version += ".0";  // a number: 2.0 is 2
     if (!version.starts_with("1.") && !version.starts_with("2."))
-      throw Error(where, "is CityJSON " + version +
-                             ", and 1.0 to 2.0 are read: turn it into one of these (cjio upgrade)");
+      throw Error(where(),
+                  "is CityJSON " + version +
+                      ", and 1.0 to 2.0 are read: turn it into one of these (cjio upgrade)");
   } else if (key == "transform") {
     transform = read_transform(value, where);
     has_transform = true;

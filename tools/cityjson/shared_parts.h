@@ -1,6 +1,7 @@
 // The parts that the city objects of a document share: CRS, transformation, templates, materials.
 #pragma once
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -39,6 +40,9 @@ struct Materials {
                      city::SkipCounter& skipped);
 };
 
+/// Returns file and line.
+using Where = std::function<std::string()>;
+
 struct SharedParts {
   std::string version;   // "2.0"
   std::string srs_name;  // "EPSG:7415", from any of the forms in use; "" = none
@@ -49,9 +53,10 @@ struct SharedParts {
   std::vector<glm::dvec3> template_vertices;
 
   /// Takes one member of a CityJSON object; those that say nothing about the whole are passed over.
-  /// `where` names file and place in messages. Throws Error where "type" is not CityJSON, the
-  /// version is none of 1.0 to 2.0, or the transformation is none.
-  void read(std::string_view key, const dom::element& value, const std::string& where,
+  /// `where` returns file and place, for messages alone: to count the lines before takes as long as
+  /// to read them. Throws Error where "type" is not CityJSON, the version is none of 1.0 to 2.0, or
+  /// the transformation is none.
+  void read(std::string_view key, const dom::element& value, const Where& where,
             city::SkipCounter& skipped);
   /// Throws Error unless `type` and `version` have been read.
   void require_type(const std::string& where) const;
