@@ -32,15 +32,15 @@ std::string_view find_text(const dom::object& object, std::string_view key) {
 std::optional<glm::dvec3> to_vector(const dom::element& value) {
   dom::array numbers;
   if (value.get(numbers) != simdjson::SUCCESS) return {};
-  std::array<double, 3> vector{};
-  std::size_t count = 0;
+  if (numbers.size() != 3) return {};
+  glm::dvec3 vector{0};
+  glm::length_t i = 0;
   for (const dom::element& number : numbers) {
     const auto component = to_number(number);
-    if (!component || count == vector.size()) return {};
-    vector[count++] = *component;
+    if (!component) return {};
+    vector[i++] = *component;
   }
-  if (count != vector.size()) return {};
-  return glm::dvec3(vector[0], vector[1], vector[2]);
+  return vector;
 }
 
 std::string to_text(const dom::element& value) {

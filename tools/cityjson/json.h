@@ -24,12 +24,17 @@ std::string_view find_text(const dom::object& object, std::string_view key);
 
 /// Returns the finite number that a value is, whole or not; none for other values.
 inline std::optional<double> to_number(const dom::element& value) {
+  std::int64_t whole = 0;  // as nearly all are
+  if (value.get(whole) == simdjson::SUCCESS) return static_cast<double>(whole);
   double number = 0;
   if (value.get(number) != simdjson::SUCCESS || !std::isfinite(number)) return {};
   return number;
 }
 /// Returns the index that a value is; none for all others, negative ones too.
 inline std::optional<std::size_t> to_index(const dom::element& value) {
+  std::int64_t whole = 0;  // as nearly all are
+  if (value.get(whole) == simdjson::SUCCESS)
+    return whole < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(whole));
   std::uint64_t number = 0;
   if (value.get(number) != simdjson::SUCCESS) return {};
   return static_cast<std::size_t>(number);
