@@ -19,10 +19,6 @@ std::size_t count_vertices(const Polygon& polygon) {
   return count;
 }
 
-bool is_sentinel_height(double z) {
-  return z < -9900 || z > 30'000;
-}
-
 bool has_sentinel_height(const Polygon& polygon) {
   const auto holds = [](const Ring& ring) {
     return std::any_of(ring.begin(), ring.end(),

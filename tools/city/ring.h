@@ -19,7 +19,9 @@ std::size_t count_vertices(const Polygon& polygon);
 /// Returns whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38,
 /// and blocks that stand on such a height end a little above. No ground is that low in metres or in
 /// feet, and none is 30 km high.
-bool is_sentinel_height(double z);
+inline bool is_sentinel_height(double z) {
+  return z < -9900 || z > 30'000;
+}
 /// Returns whether any vertex has such a height.
 bool has_sentinel_height(const Polygon& polygon);
 

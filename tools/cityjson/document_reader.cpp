@@ -158,6 +158,7 @@ class DocumentReader {
     document_.read_vertex_blocks(options_.threads,
                                  [&](std::span<const glm::dvec3> block, std::size_t) {
                                    vertices_.insert(vertices_.end(), block.begin(), block.end());
+                                   all_usable_ = all_usable_ && are_usable(block);
                                    return true;
                                  });
     std::size_t next = 0;
@@ -230,7 +231,8 @@ class DocumentReader {
   Batch read_groups(const Groups& groups) const {
     Batch batch;
     PartParser parser(text_, name_, options_.max_member_bytes());
-    const GeometrySources sources{vertices_, &document_.shared(), &document_.shared().materials};
+    const GeometrySources sources{vertices_, all_usable_, &document_.shared(),
+                                  &document_.shared().materials};
     std::vector<std::string_view> parts;
     std::vector<GroupMember> group;
     for (std::size_t i = groups.first; i < groups.end; ++i) {
@@ -266,6 +268,7 @@ class DocumentReader {
   std::deque<std::string> unescaped_;
   ObjectGroups groups_;
   std::vector<glm::dvec3> vertices_;
+  bool all_usable_ = true;
   city::ReadReport report_;
 };
 

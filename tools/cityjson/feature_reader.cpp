@@ -61,7 +61,7 @@ void read_feature(const dom::element& value, const SharedParts& shared,
   if (const auto array = find_array(feature, "vertices"))
     vertices = read_vertices(*array, shared.transform);
   Materials own;
-  GeometrySources sources{vertices, &shared, &shared.materials};
+  GeometrySources sources{vertices, are_usable(vertices), &shared, &shared.materials};
   if (const auto appearance = find_object(feature, "appearance"); appearance && line > 1) {
     own.read(*appearance);
     own.find_pictures(name, options, batch.skipped);

@@ -77,6 +77,12 @@ class Alongside {
 
 }  // namespace
 
+bool are_usable(std::span<const glm::dvec3> vertices) {
+  return std::all_of(vertices.begin(), vertices.end(), [](const glm::dvec3& vertex) {
+    return finite(vertex) && !city::is_sentinel_height(vertex.z);
+  });
+}
+
 std::size_t count_polygons(const dom::array& geometries) {
   std::size_t count = 0;
   for (const dom::element& element : geometries)
@@ -242,7 +248,7 @@ void GeometryReader::walk(const dom::element& boundaries, const Beside& beside, 
 }
 
 const char* GeometryReader::read_ring(const dom::element& indices,
-                                      std::span<const glm::dvec3> vertices,
+                                      std::span<const glm::dvec3> vertices, bool all_usable,
                                       city::Ring& ring) const {
   dom::array array;
   if (indices.get(array) != simdjson::SUCCESS) return "ring that is no array";
@@ -252,7 +258,7 @@ const char* GeometryReader::read_ring(const dom::element& indices,
     if (!index) return "ring with a vertex number that is none";
     if (*index >= vertices.size()) return "ring with a vertex that is not in the file";
     const glm::dvec3& vertex = vertices[*index];
-    if (!finite(vertex)) return "ring with coordinates that are no numbers";
+    if (!all_usable && !finite(vertex)) return "ring with coordinates that are no numbers";
     ring.push_back(vertex);
   }
   while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
@@ -327,18 +333,19 @@ bool GeometryReader::read_polygon(const dom::element& rings, const Beside& besid
   dom::array array;
   if (rings.get(array) != simdjson::SUCCESS || array.size() == 0)
     return skip("polygon: without rings");
+  const bool placed = context.vertices.data() != sources_.vertices.data();
+  const bool all_usable = sources_.all_usable && !placed;
   bool outer = true;
   for (const dom::element& element : array) {
     city::Ring& ring = outer ? polygon.exterior : polygon.interiors.emplace_back();
-    if (const char* fault = read_ring(element, context.vertices, ring)) {
+    if (const char* fault = read_ring(element, context.vertices, all_usable, ring)) {
       if (outer) return skip("polygon: " + std::string(fault));
       skipped_.add("hole: " + std::string(fault));
       polygon.interiors.pop_back();
     }
     outer = false;
   }
-  const bool placed = context.vertices.data() != sources_.vertices.data();
-  if (!placed && city::has_sentinel_height(polygon))
+  if (!all_usable && !placed && city::has_sentinel_height(polygon))
     return skip("polygon: at a height that stands for none (-9999 and the like)");
   return true;
 }

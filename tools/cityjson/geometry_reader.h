@@ -20,6 +20,7 @@ namespace nightcity::cityjson {
 /// The vertices, templates and materials that geometries refer to by number.
 struct GeometrySources {
   std::span<const glm::dvec3> vertices;  // in the city's CRS
+  bool all_usable = false;               // the vertices; false: each polygon's are looked at
   const SharedParts* shared = nullptr;
   const Materials* materials = nullptr;  // of the document, or of the feature's own appearance
 };
@@ -81,7 +82,7 @@ class GeometryReader {
   bool skip(std::string_view reason);  // counts it and returns false
   /// Returns why the ring cannot be used, null where it can.
   const char* read_ring(const dom::element& indices, std::span<const glm::dvec3> vertices,
-                        city::Ring& ring) const;
+                        bool all_usable, city::Ring& ring) const;
 
   GeometrySources sources_;
   city::SkipCounter& skipped_;
@@ -89,6 +90,9 @@ class GeometryReader {
   std::size_t placed_polygons_ = 0;                     // of templates, by this object
   std::int64_t pixels_left_ = city::max_object_pixels;  // of pictures on the object's polygons
 };
+
+/// Returns whether every vertex is finite and at a height that stands for no other.
+bool are_usable(std::span<const glm::dvec3> vertices);
 
 /// Returns the number of polygons in a city object's "geometry".
 std::size_t count_polygons(const dom::array& geometries);
