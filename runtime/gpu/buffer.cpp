@@ -114,17 +114,20 @@ void Buffer::upload(const void* data, std::size_t bytes, std::size_t offset) {
     std::memcpy(static_cast<char*>(mapped_) + offset, data, bytes);
     return;
   }
-  const auto turn = device_->staging().take_turn();
-  const Buffer& staging = device_->staging().piece_of(bytes, Memory::host);
   for (std::size_t done = 0; done < bytes; done += Staging::piece_bytes) {
     const std::size_t piece = std::min(Staging::piece_bytes, bytes - done);
-    copy(staging.mapped(), static_cast<const char*>(data) + done, piece);
-    device_->run([&](VkCommandBuffer commands) {
-      const VkBufferCopy region{0, offset + done, piece};
-      vkCmdCopyBuffer(commands, staging.handle(), buffer_, 1, &region);
-      full_barrier(commands);
+    device_->staging().use_piece(piece, Memory::host, [&](const Buffer& staging) {
+      copy(staging.mapped(), static_cast<const char*>(data) + done, piece);
+      copy_from(staging, {0, offset + done, piece});
     });
   }
+}
+
+void Buffer::copy_from(const Buffer& from, const VkBufferCopy& region) {
+  device_->run([&](VkCommandBuffer commands) {
+    vkCmdCopyBuffer(commands, from.buffer_, buffer_, 1, &region);
+    full_barrier(commands);
+  });
 }
 
 void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offset) {
@@ -139,28 +142,22 @@ void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offse
 void Buffer::make_pieces(std::size_t count, std::size_t record_bytes, const MakePiece& make) {
   if (count == 0) return;
   const std::size_t most = Staging::piece_bytes / record_bytes;
-  const bool mapped = mapped_ || device_->has(memory_type_, host_access);
-  std::unique_lock<std::mutex> turn;
-  const Buffer* staging = nullptr;
+  const bool is_mapped = mapped_ || device_->has(memory_type_, host_access);
   void* target = mapped_;
-  if (!mapped) {
-    turn = device_->staging().take_turn();
-    staging = &device_->staging().piece_of(count * record_bytes, Memory::host);
-    target = staging->mapped();
-  } else if (!mapped_) {
+  if (is_mapped && !mapped_)
     VK_CHECK(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &target));
-  }
   for (std::size_t first = 0; first < count; first += most) {
-    const std::size_t size = std::min(most, count - first);
-    make(staging ? target : static_cast<char*>(target) + first * record_bytes, first, size);
-    if (!staging) continue;
-    device_->run([&](VkCommandBuffer commands) {
-      const VkBufferCopy region{0, first * record_bytes, size * record_bytes};
-      vkCmdCopyBuffer(commands, staging->handle(), buffer_, 1, &region);
-      full_barrier(commands);
+    const std::size_t size = std::min(most, count - first), at = first * record_bytes;
+    if (is_mapped) {
+      make(static_cast<char*>(target) + at, first, size);
+      continue;
+    }
+    device_->staging().use_piece(size * record_bytes, Memory::host, [&](const Buffer& staging) {
+      make(staging.mapped(), first, size);
+      copy_from(staging, {0, at, size * record_bytes});
     });
   }
-  if (mapped && !mapped_) vkUnmapMemory(device_->handle(), memory_);
+  if (is_mapped && !mapped_) vkUnmapMemory(device_->handle(), memory_);
 }
 
 void Buffer::download(void* data, std::size_t bytes, std::size_t offset) const {
@@ -169,16 +166,12 @@ void Buffer::download(void* data, std::size_t bytes, std::size_t offset) const {
     std::memcpy(data, static_cast<const char*>(mapped_) + offset, bytes);
     return;
   }
-  const auto turn = device_->staging().take_turn();
-  const Buffer& staging = device_->staging().piece_of(bytes, Memory::readback);
   for (std::size_t done = 0; done < bytes; done += Staging::piece_bytes) {
     const std::size_t piece = std::min(Staging::piece_bytes, bytes - done);
-    device_->run([&](VkCommandBuffer commands) {
-      const VkBufferCopy region{offset + done, 0, piece};
-      vkCmdCopyBuffer(commands, buffer_, staging.handle(), 1, &region);
-      full_barrier(commands);
+    device_->staging().use_piece(piece, Memory::readback, [&](Buffer& staging) {
+      staging.copy_from(*this, {offset + done, 0, piece});
+      std::memcpy(static_cast<char*>(data) + done, staging.mapped(), piece);
     });
-    std::memcpy(static_cast<char*>(data) + done, staging.mapped(), piece);
   }
 }
 

@@ -71,6 +71,7 @@ class Buffer {
  private:
   using MakePiece = std::function<void(void* to, std::size_t first, std::size_t count)>;
   void make_pieces(std::size_t count, std::size_t record_bytes, const MakePiece& make);
+  void copy_from(const Buffer& from, const VkBufferCopy& region);
   void release();
 
   Device* device_ = nullptr;

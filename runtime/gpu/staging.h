@@ -1,7 +1,6 @@
 // Host memory that transfers to and from a device go through.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <mutex>
 
@@ -17,24 +16,28 @@ class Staging {
 
   explicit Staging(Device& device) : device_(device) {}
 
-  /// Lets a transfer use the memory alone.
-  std::unique_lock<std::mutex> take_turn() { return std::unique_lock(mutex_); }
-  /// Returns memory for a piece of a transfer of `bytes`, Memory::host or Memory::readback. Call it
-  /// in a turn.
-  const Buffer& piece_of(std::size_t bytes, Memory memory) {
-    Buffer& kept = memory == Memory::host ? up_ : down_;
-    const std::size_t needed = std::min(bytes, piece_bytes);
-    if (kept.bytes() < needed) {
-      kept = {};
-      kept = Buffer(device_, needed, memory);
+  /// Calls use(memory) with at least `bytes`, up to piece_bytes, of Memory::host or
+  /// Memory::readback. Threads take turns, a piece each: one that uploads a city keeps no other
+  /// waiting for all of it.
+  template <class Use>
+  void use_piece(std::size_t bytes, Memory memory, Use use) {
+    Side& side = memory == Memory::host ? up_ : down_;
+    const std::lock_guard turn(side.mutex);
+    if (side.kept.bytes() < bytes) {
+      side.kept = {};
+      side.kept = Buffer(device_, bytes, memory);
     }
-    return kept;
+    use(side.kept);
   }
 
  private:
+  struct Side {
+    std::mutex mutex;
+    Buffer kept;
+  };
+
   Device& device_;
-  std::mutex mutex_;
-  Buffer up_, down_;
+  Side up_, down_;
 };
 
 }  // namespace nightcity::gpu

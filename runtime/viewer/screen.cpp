@@ -86,7 +86,8 @@ bool Screen::show(Swapchain& swapchain, std::span<const ShownPicture> pictures,
   const glm::uvec2 window = swapchain.size();
   const VkImage target = swapchain.image();
   gpu::Buffer grabbed;
-  if (grab) grabbed = gpu::Buffer(device_, std::size_t{4} * window.x * window.y, gpu::Memory::readback);
+  if (grab)
+    grabbed = gpu::Buffer(device_, std::size_t{4} * window.x * window.y, gpu::Memory::readback);
 
   VkCommandBufferBeginInfo begin{};
   begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;

@@ -49,7 +49,7 @@ struct ViewOptions {
   float font_px = 0;  // height of text; 0 = as the screen's scale asks for
 };
 
-/// What the window showed.
+/// Says what the window showed.
 struct ViewReport {
   std::uint32_t shown = 0;   // frames shown
   std::uint32_t frames = 0;  // in the last mean

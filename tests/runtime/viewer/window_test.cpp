@@ -209,8 +209,8 @@ TEST_F(ViewerWindow, OffscreenDrawsWhatTheScreenWouldShow) {
   EXPECT_NEAR(mean_light(unseen) / mean_light(seen), 1, 0.02);
 }
 
-// What the coarsest picture takes, by its pixels, is far more than a moving view has time for: by
-// that a frame of every pixel is too slow, and by the measured budget it is not.
+// By the pixels of the coarsest picture, a frame of every pixel takes far more than a moving view
+// has time for. By the measured budget it does not.
 TEST_F(ViewerWindow, FramesWithinABudgetAreCompletedWhereAllPixelsKeepIt) {
   write_moving_scene(folder.path());
   ASSERT_EQ(
