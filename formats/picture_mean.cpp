@@ -76,6 +76,24 @@ bool has_sound_data(std::span<const std::byte> png) {
   return true;  // it refuses a PNG without data itself
 }
 
+struct PictureSize {
+  int width, height;
+};
+
+// Returns the size that a picture's header says; nothing where the bytes are no PNG or JPEG, or one
+// that stb_image cannot be given: reading the header alone, it reads Huffman tables as well.
+std::optional<PictureSize> find_size(std::span<const std::byte> bytes) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  if (is_png(bytes) ? !has_sound_data(bytes) : !has_sound_huffman_tables(bytes))
+    return std::nullopt;
+  PictureSize size{0, 0};
+  int channels = 0;
+  if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                             static_cast<int>(bytes.size()), &size.width, &size.height, &channels))
+    return std::nullopt;
+  return size;
+}
+
 glm::dvec3 to_linear(const stbi_uc* pixel) {
   return {linear_from_srgb8(pixel[0]), linear_from_srgb8(pixel[1]), linear_from_srgb8(pixel[2])};
 }
@@ -96,15 +114,11 @@ PixelRange find_range(double low, double high, int size) {
 }  // namespace
 
 std::optional<Picture> Picture::read(std::span<const std::byte> bytes, std::int64_t max_pixels) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
-  if (is_png(bytes) ? !has_sound_data(bytes) : !has_sound_huffman_tables(bytes))
-    return std::nullopt;
+  const std::optional<PictureSize> said = find_size(bytes);
+  if (!said || std::int64_t{said->width} * said->height > max_pixels) return std::nullopt;
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels) ||
-      std::int64_t{width} * height > max_pixels)
-    return std::nullopt;
   Pixels pixels(stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels || width < 1 || height < 1) return std::nullopt;
   return Picture(std::move(pixels), width, height);
@@ -150,12 +164,8 @@ std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bo
 }
 
 std::optional<std::int64_t> count_picture_pixels(std::span<const std::byte> bytes) {
-  int width = 0, height = 0, channels = 0;
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) ||
-      !stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
-                             static_cast<int>(bytes.size()), &width, &height, &channels))
-    return std::nullopt;
-  return std::int64_t{width} * height;
+  const std::optional<PictureSize> size = find_size(bytes);
+  return size ? std::optional(std::int64_t{size->width} * size->height) : std::nullopt;
 }
 
 bool PictureBudget::take(std::span<const std::byte> picture) {

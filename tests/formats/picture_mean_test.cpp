@@ -104,5 +104,14 @@ TEST(PictureMean, AJpegWithoutItsHuffmanTableDoesNotDependOnWhatTheMemoryHeldBef
   }
 }
 
+// stb_image 2.27 writes the lengths of more than 256 codes behind their array, and it does so where
+// it is asked for the size alone.
+TEST(PictureMean, AJpegWithATooLongHuffmanTableHasNoSizeEither) {
+  const MappedFile jpeg(std::filesystem::path(NIGHTCITY_SOURCE_DIR) /
+                        "tests/formats/corpus/picture/huffman_table_too_long.jpg");
+  EXPECT_FALSE(count_picture_pixels(jpeg.bytes()));
+  EXPECT_FALSE(Picture::read(jpeg.bytes()));
+}
+
 }  // namespace
 }  // namespace nightcity

@@ -8,6 +8,7 @@
 
 #include "formats/error.h"
 #include "formats/finite.h"
+#include "tests/tools/city/sound_picture.h"
 #include "tests/tools/citygml/memory_document.h"
 #include "tools/city/city_reader.h"
 #include "tools/mesh/classify.h"
@@ -16,8 +17,8 @@
 
 namespace nightcity::test {
 
-/// Calls `read(document, options, stage)` on the bytes. Aborts on a position that is no number; an
-/// Error is what a broken document deserves.
+/// Calls `read(document, options, stage)` on the bytes. Aborts on a position that is no number and on
+/// a picture that does not fit its polygon; an Error is what a broken document deserves.
 template <class Read>
 void fuzz_city(const std::uint8_t* data, std::size_t size, const Read& read) {
   const std::string text(reinterpret_cast<const char*>(data), size);
@@ -25,6 +26,8 @@ void fuzz_city(const std::uint8_t* data, std::size_t size, const Read& read) {
   options.threads = 1;
   mesh::MeshReport report;
   const city::ObjectSink sink = [&](city::CityObject&& object) {
+    for (const city::Polygon& polygon : object.polygons)
+      if (!has_sound_picture(polygon)) std::abort();
     mesh::repair_shells(object, report);
     mesh::classify_unknown_surfaces(object);
     for (const glm::dvec3& p : mesh::triangulate(object, report).positions)
