@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tools/osm/osm_document.h"
+#include "tools/osm/whole_tags.h"
 
 namespace nightcity::osm {
 namespace {
@@ -32,8 +33,10 @@ struct Element {
 std::vector<Element> list_elements(const pugi::xml_node& root, const char* name) {
   std::vector<Element> all;
   for (const pugi::xml_node& node : root.children(name))
-    if (const auto id = to_number<std::int64_t>(node.attribute("id").value()))
+    if (const auto id = to_number<std::int64_t>(node.attribute("id").value())) {
+      require_sound_id(*id);
       all.push_back({*id, read_version(node), node});
+    }
   std::stable_sort(all.begin(), all.end(), [](const Element& a, const Element& b) {
     if (a.id != b.id) return osmium::id_order{}(a.id, b.id);
     return a.version.rank() > b.version.rank();
@@ -98,6 +101,7 @@ class Arranger {
         if (!id || std::string_view(member.attribute("type").value()) != "way" ||
             !member.child("nd"))
           continue;
+        require_sound_id(*id);
         Nodes& nodes = of_members_[*id];
         if (!nodes.empty()) continue;
         for (const pugi::xml_node& nd : member.children("nd")) {

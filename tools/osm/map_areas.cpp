@@ -30,11 +30,6 @@
 namespace nightcity::osm {
 namespace {
 
-// Comes before all that looks at tags.
-struct TagCheck : osmium::handler::Handler {
-  void osm_object(const osmium::OSMObject& object) { require_whole_tags(object.tags()); }
-};
-
 bool has_key(const osmium::TagList& tags, const AreaSelection& selection) {
   return std::any_of(selection.keys.begin(), selection.keys.end(),
                      [&](const std::string& key) { return tags.has_key(key.c_str()); });
@@ -75,16 +70,19 @@ class Places : public osmium::handler::Handler {
       (closed ? closed_ways : open_ways).insert(way.id());
     }
     for (osmium::NodeRef& node : way.nodes())
-      if (!node.location().valid())
-        node.set_location((node.ref() < 0 ? of_editor_ : places_)
-                              .get_noexcept(static_cast<osmium::unsigned_object_id_type>(
-                                  node.ref() < 0 ? -node.ref() : node.ref())));
+      if (!node.location().valid()) node.set_location(find(node.ref()));
   }
 
   std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
   std::unordered_set<osmium::object_id_type> closed_ways, open_ways;  // that are selected
 
  private:
+  // A reference may be any number, and the smallest has no opposite among the signed ones.
+  osmium::Location find(osmium::object_id_type id) const {
+    const auto number = static_cast<osmium::unsigned_object_id_type>(id);
+    return id < 0 ? of_editor_.get_noexcept(0 - number) : places_.get_noexcept(number);
+  }
+
   const AreaSelection& selection_;
   using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
   Index places_, of_editor_;
@@ -295,7 +293,7 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
                        selection.keys);
   osmium::area::MultipolygonManager<BoundedAssembler> manager{
       {{}, max_nodes, &too_long, &outer_ways}, filter};
-  TagCheck check;
+  ObjectCheck check;
   RelationGate gate(manager, selection, too_long);
   Places places(selection);
   Collector collector(selection, outer_ways);

@@ -10,6 +10,7 @@
 
 #include "formats/error.h"
 #include "tools/osm/osm_marks.h"
+#include "tools/osm/whole_tags.h"
 
 namespace nightcity::osm {
 
@@ -34,8 +35,7 @@ SortedMap::SortedMap(const std::filesystem::path& file) {
       "its elements are in no order, and it is too large to be sorted here: sort it by "
       "`osmium sort IN -o OUT`";
   std::error_code ignored;
-  if (std::filesystem::file_size(file, ignored) > max_bytes)
-    throw Error(file.string(), too_large);
+  if (std::filesystem::file_size(file, ignored) > max_bytes) throw Error(file.string(), too_large);
   osmium::io::Reader reader(open_packed_map(file), osmium::osm_entity_bits::nwr,
                             osmium::io::read_meta::yes);
   std::size_t unpacked = 0;  // a small file may unpack to a thousand times its size
@@ -45,7 +45,8 @@ SortedMap::SortedMap(const std::filesystem::path& file) {
     buffers_.push_back(std::move(buffer));
   }
   reader.close();
-  for (osmium::memory::Buffer& buffer : buffers_) osmium::apply(buffer, objects_);
+  ObjectCheck check;
+  for (osmium::memory::Buffer& buffer : buffers_) osmium::apply(buffer, check, objects_);
   objects_.sort(osmium::object_order_type_id_version{});
 }
 
