@@ -15,6 +15,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "tools/osm/packed_map.h"
 #include "tools/osm/whole_tags.h"
 
 namespace nightcity::elevation {
@@ -105,7 +106,7 @@ std::size_t copy_packed(const fs::path& input, const fs::path& output, const std
   std::size_t written = 0;
   AtomicPath file(output);
   try {
-    osmium::io::Reader reader(input.string());
+    osmium::io::Reader reader(osm::open_packed_map(input));
     osmium::io::Writer writer(osmium::io::File(file.scratch().string(), format), reader.header(),
                               osmium::io::overwrite::allow);
     while (osmium::memory::Buffer buffer = reader.read()) {

@@ -12,6 +12,7 @@
 #include "tools/osm/osm_collector.h"
 #include "tools/osm/osm_document.h"
 #include "tools/osm/osm_parsers.h"
+#include "tools/osm/packed_map.h"
 #include "tools/osm/whole_tags.h"
 
 namespace nightcity::osm {
@@ -65,7 +66,7 @@ void read_osm_packed(const std::filesystem::path& file, const std::string& forma
         [](std::ptrdiff_t) { return std::size_t{0}; }, collector);
   try {
     // Versions are part of what libosmium calls metadata.
-    osmium::io::Reader reader(osmium::io::File(file.string(), format), osmium::osm_entity_bits::nwr,
+    osmium::io::Reader reader(open_packed_map(file, format), osmium::osm_entity_bits::nwr,
                               osmium::io::read_meta::yes);
     while (const osmium::memory::Buffer buffer = reader.read()) collect(buffer, collector);
     reader.close();

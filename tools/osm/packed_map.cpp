@@ -9,10 +9,16 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/osm/closing_parser.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/whole_tags.h"
 
 namespace nightcity::osm {
+
+osmium::io::File open_packed_map(const std::filesystem::path& file, const std::string& format) {
+  close_broken_maps();
+  return osmium::io::File(file.string(), format);
+}
 
 osmium::io::File open_packed_map(const std::filesystem::path& file) {
   std::array<char, 64> bytes{};
@@ -25,7 +31,7 @@ osmium::io::File open_packed_map(const std::filesystem::path& file) {
                        : is_o5m(start)               ? "o5m"
                        : is_osm_pbf(start)           ? "pbf"
                                                      : "osm";
-  return osmium::io::File(file.string(), format);
+  return open_packed_map(file, format);
 }
 
 SortedMap::SortedMap(const std::filesystem::path& file) {

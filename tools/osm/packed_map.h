@@ -7,6 +7,7 @@
 #include <osmium/visitor.hpp>
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace nightcity::osm {
@@ -14,6 +15,9 @@ namespace nightcity::osm {
 /// Returns the file with libosmium's name for its format, which its first bytes tell. Throws Error
 /// where it is empty or cannot be read.
 osmium::io::File open_packed_map(const std::filesystem::path& file);
+/// The same for a format that is known: "pbf", "osm.gz", "osm.bz2", "o5m" or "osm". A Reader of it
+/// leaves no descriptor open, however broken the file is.
+osmium::io::File open_packed_map(const std::filesystem::path& file, const std::string& format);
 
 /// The elements of a map in the usual order (nodes, ways, relations, each by id) although its file
 /// has them in another one. All of it is in memory; throws Error where the file is too large for

@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "formats/error.h"
+#include "support/temp_folder.h"
 #include "tools/osm/map_areas.h"
 #include "tools/osm/read_osm.h"
 
@@ -89,6 +91,42 @@ TEST(Corpus, ATagWithAZeroByteIsAnError) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("zero byte"), std::string::npos) << error.what();
   }
+}
+
+std::ptrdiff_t count_descriptors() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/fd"),
+                       std::filesystem::directory_iterator());
+}
+
+// libosmium's own parser leaves the file of a PBF open that an exception ends: in its header, in
+// its blobs, or between them.
+TEST(Corpus, ABrokenPbfIsClosedHoweverOftenItIsRead) {
+  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
+  const std::string whole = test::read_text(corpus / "lake_of_two_ways.osm.pbf");
+  const test::TempFolder folder;
+  std::size_t errors = 0;
+  const auto count_error = [&](const auto& read) {
+    try {
+      read();
+    } catch (const Error&) {
+      ++errors;
+    }
+  };
+  const auto read_all = [&] {
+    for (const std::size_t bytes : {std::size_t{20}, whole.size() / 2, whole.size() - 1}) {
+      const auto file = folder / "cut.osm.pbf";
+      test::write_text(file, whole.substr(0, bytes));
+      count_error([&] { read_osm(file); });
+      count_error([&] { read_map_areas(file, {{"natural"}}, 500); });
+      count_error([&] { read_first_nodes(file, 1000); });
+    }
+  };
+  read_all();  // opens what stays open for the whole program
+  const auto before = count_descriptors();
+  errors = 0;
+  for (int i = 0; i < 50; ++i) read_all();
+  EXPECT_EQ(errors, 50u * 9);
+  EXPECT_EQ(count_descriptors(), before);
 }
 
 }  // namespace
