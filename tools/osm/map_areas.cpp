@@ -145,6 +145,10 @@ class RelationGate : public osmium::handler::Handler {
 
   void relation(const osmium::Relation& relation) {
     if (!has_key(relation.tags(), selection_) && !is_untagged_multipolygon(relation)) return;
+    if (names_way_zero(relation)) {
+      ++unsound;
+      return;
+    }
     constexpr std::size_t max_uses = 64;
     std::size_t uses = 0;
     if (manager_.new_relation(relation))
@@ -157,7 +161,18 @@ class RelationGate : public osmium::handler::Handler {
       manager_.relation(relation);
   }
 
+  std::size_t unsound = 0;  // relations
+
  private:
+  // libosmium marks members that are none of an area's by the number 0, and leaves a way of that
+  // number out of a list that it then reads as long as with it.
+  static bool names_way_zero(const osmium::Relation& relation) {
+    return std::any_of(relation.members().begin(), relation.members().end(),
+                       [](const osmium::RelationMember& member) {
+                         return member.type() == osmium::item_type::way && member.ref() == 0;
+                       });
+  }
+
   Manager& manager_;
   const AreaSelection& selection_;
   TooLong& too_long_;
@@ -323,7 +338,7 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
   manager.for_each_incomplete_relation([&](const osmium::relations::RelationHandle& handle) {
     incomplete += has_key(handle->tags(), selection);
   });
-  areas.broken += incomplete;
+  areas.broken += incomplete + gate.unsound;
   return areas;
 }
 

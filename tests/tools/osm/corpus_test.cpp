@@ -81,6 +81,14 @@ TEST(Corpus, AnIdThatHasNoAreaIsAnError) {
   }
 }
 
+// libosmium leaves the way out of the list of an area's ways, and read behind the end of that.
+TEST(Corpus, AMultipolygonOfTheWayZeroIsBroken) {
+  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
+  const MapAreas map = read_map_areas(corpus / "way_zero.osm", {{"natural"}}, 500);
+  EXPECT_TRUE(map.areas.empty());
+  EXPECT_EQ(map.broken, 1u);
+}
+
 // libosmium reads on behind the end of such tags.
 TEST(Corpus, ATagWithAZeroByteIsAnError) {
   const auto file = std::filesystem::path(NIGHTCITY_SOURCE_DIR) /
