@@ -129,8 +129,8 @@ void OuterWays::add_untagged(const osmium::Relation& relation,
       rings[n].tags.clear();
   }
   for (const osmium::Way* way : ways) {
-    const auto number = way->is_closed() ? inner_finder.find(*way) : std::nullopt;
-    if (!number) continue;
+    const auto number = inner_finder.find(*way);  // none for a way without nodes, which has no end
+    if (!number || !way->is_closed()) continue;
     const OsmTags tags = select_(way->tags());
     if (!tags.empty() && tags == rings[outer_of[*number]].tags) replaced_.insert(way->id());
   }
