@@ -148,6 +148,28 @@ std::optional<double> find_confidence(const std::vector<double>& values, double 
   return find_student_bound(1 - level, n - 1) * std::sqrt(squares / (n * (n - 1)));
 }
 
+double find_series_error(const std::vector<double>& series) {
+  const std::size_t n = series.size();
+  if (n < 2) return 0;
+  double mean = 0;
+  for (const double value : series) mean += value / double(n);
+  const auto covariance = [&](std::size_t lag) {
+    double sum = 0;
+    for (std::size_t i = lag; i < n; ++i) sum += (series[i] - mean) * (series[i - lag] - mean);
+    return sum / double(n);
+  };
+  const double variance = covariance(0);
+  if (!(variance > 0)) return 0;
+  // 1 + 2 (sum of all lags) = -1 + 2 (sum of pairs of lags from 0 on); those below 0 are noise.
+  double time = -1;
+  for (std::size_t lag = 0; lag + 1 < n; lag += 2) {
+    const double pair = (covariance(lag) + covariance(lag + 1)) / variance;
+    if (!(pair > 0)) break;
+    time += 2 * pair;
+  }
+  return std::sqrt(variance * std::max(time, 1.0) / double(n - 1));
+}
+
 double sidak_level(double significance, std::size_t tests) {
   return tests == 0 ? significance : -std::expm1(std::log1p(-significance) / double(tests));
 }

@@ -4,13 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "formats/median.h"
 #include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "runtime/experiments/flight.h"
+#include "runtime/measure/significance.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/governor_options.h"
 #include "runtime/nightview/render_options.h"
@@ -33,19 +34,11 @@ std::string summarise(const char* what, const char* unit, const std::vector<doub
                      worst - values.begin());
 }
 
-// The standard error is that of the mean over frames. Frames that reuse each other's samples are
-// not independent, so the true one is larger.
 std::string summarise_bias(const std::vector<double>& values) {
-  double sum = 0, squares = 0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const double n = double(values.size()), mean = sum / n;
-  const double variance = n > 1 ? std::max(squares / n - mean * mean, 0.0) * n / (n - 1) : 0.0;
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
   return fmt::format(
       "mean error     {:+.4f} % +- {:.4f} % of the reference's mean, over {} frames\n", 100 * mean,
-      100 * std::sqrt(variance / n), values.size());
+      100 * measure::find_series_error(values), values.size());
 }
 
 void print_governed(const FlightCommand& command, const experiments::FlightReport& report) {

@@ -35,6 +35,27 @@ PictureStatistics noisy_pictures(int runs, unsigned seed, double shifted = 1.0) 
 }
 
 // Abramowitz, Stegun: Handbook of mathematical functions, table 26.10.
+// Values that each keep a share of the one before (AR(1)): the error of their mean is that of
+// independent values times the root of (1 + share) / (1 - share).
+TEST(SeriesError, CountsCorrelatedValuesForLess) {
+  constexpr std::size_t length = 40'000;
+  for (const double kept : {0.0, 0.5, 0.8, 0.95}) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0, std::sqrt(1 - kept * kept));
+    std::vector<double> series{noise(random)};
+    while (series.size() < length) series.push_back(kept * series.back() + noise(random));
+    const double expected = std::sqrt((1 + kept) / (1 - kept) / double(length));
+    EXPECT_NEAR(find_series_error(series) / expected, 1, 0.12) << kept;
+  }
+}
+
+TEST(SeriesError, OfAlikeOrTooFewValuesIsZero) {
+  EXPECT_EQ(find_series_error({}), 0);
+  EXPECT_EQ(find_series_error({3}), 0);
+  EXPECT_EQ(find_series_error({3, 3, 3, 3}), 0);
+  EXPECT_NEAR(find_series_error({1, 2, 3}), 1 / std::sqrt(3.0), 1e-12) << "as if independent";
+}
+
 TEST(Significance, TailsOfStudentsDistributionAreThoseOfTheTables) {
   EXPECT_NEAR(student_tails(12.706, 1), 0.05, 1e-5);
   EXPECT_NEAR(student_tails(2.228, 10), 0.05, 1e-4);
