@@ -69,7 +69,8 @@ class DeviceLights {
   };
 
   void darken_vehicles(scene::LightFamilies on);
-  // These may run in the background: they read the static lights, and the device takes turns.
+  // These may run in the background: they read the static lights alone, and threads take turns at
+  // the device.
   Tables make_tables(scene::LitLights lit, bool with_tree) const;
   void upload_lit(scene::LitLights lit, Tables& tables) const;
   Grid upload_grid(const scene::LightGrid& grid) const;
@@ -91,8 +92,9 @@ class DeviceLights {
   gpu::Buffer bits_before_;  // the last change: the frame before may have used them
   bool needs_tree_ = false;
   bool when_ready_ = false;
+  // Both use what is above, so they are destroyed before it.
   std::future<scene::LitLights> first_lit_;  // without its far grid, until finish()
-  std::future<Tables> next_;  // both use what is above, so they are destroyed before it
+  std::future<Tables> next_;                 // until set_time takes them
 };
 
 }  // namespace nightcity::render

@@ -108,7 +108,8 @@ void LivePicture::notice_changes(const View& view, double now_s) {
     if (!same) refinement_.change(now_s);
     const bool denoised = view.settings.display.denoise != view_->settings.display.denoise;
     display_changed_ |= denoised;
-    // A frame within a budget takes as long as was asked for; what it takes was measured.
+    // A governed frame takes as long as its budget or its error asks for: that was measured, and
+    // what coarser frames took says less.
     const bool slow =
         !is_governed_ && refinement_.is_worth_giving_up(plan_, pixels_of(view.window));
     if ((!same && slow) || denoised) renderer_.abandon_frame();
