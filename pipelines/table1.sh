@@ -48,7 +48,7 @@ sweep() {
       --minutes "$(awk "BEGIN { print $minutes / 4 }")" ${device:+--device "$device"} "${@:2}"
   }
   measured "$1" --estimator paper --neighbours 5 --radius 10
-  measured "$1" --estimator traced --neighbours 4
+  measured "$1" --estimator traced --neighbours 2
 }
 
 # table NAME TITLE: one line for each number of candidates, the paper's weights beside our default.

@@ -48,7 +48,7 @@ constexpr std::uint32_t max_neighbours = MAX_NEIGHBOURS;
 /// Sampling of lights. The shares divide the candidates; the rest is sampled by flux.
 struct SamplingSettings {
   Estimator estimator = Estimator::traced;  // chosen by measurement: docs/accuracy.md
-  std::uint32_t candidates = 32;            // per pixel and frame, 1 .. max_candidates
+  std::uint32_t candidates = 24;            // per pixel and frame, 1 .. max_candidates
   float near_share = 0.5f;                  // sampled from the near grid's cell
   float far_share = 0.3f;                   // sampled from the far grid's cell, the neighbourhood
   float uniform_share = 0.05f;              // sampled uniformly over all lights
@@ -72,7 +72,7 @@ struct SamplingSettings {
 
 /// Reuse of samples from earlier frames and from other pixels.
 struct ReuseSettings {
-  std::uint32_t neighbours = 4;   // pixels reused by a pixel, 0 .. max_neighbours
+  std::uint32_t neighbours = 2;   // pixels reused by a pixel, 0 .. max_neighbours
   float neighbour_radius_px = 5;  // distance within which they lie
   // Bound of the history's M, in multiples of a frame's candidates; 0 = no temporal reuse.
   float max_history = 20;

@@ -133,9 +133,11 @@ TEST(Unbiased, ThePapersWeightsAreNotInATown) {
   expect_biased(town(), render::Estimator::paper);
 }
 
-// Surfaces alone decide which pixels share samples, so neither option brings bias.
+// Surfaces alone decide which pixels share samples, so neither option brings bias, nor do partners
+// in any number.
 TEST(Unbiased, WithBoostAndPermutationInATown) {
   render::RenderSettings settings = settings_for(render::RenderSettings{}.sampling.estimator);
+  settings.reuse.neighbours = 6;
   settings.reuse.disocclusion_boost = 12;
   settings.reuse.permute = true;
   expect_unbiased(town(), settings);

@@ -222,15 +222,15 @@ TEST_F(Panel, TheBottomLineSaysHowManyPixelsThereAreAndWhatGoesOn) {
   stats.divisor = 4;
   stats.work = "refining";
   EXPECT_EQ(make_bottom_line(state, stats),
-            "traced, 32 candidates, 4 neighbours, mean of 1 frame, every 4th pixel - refining");
+            "traced, 24 candidates, 2 neighbours, mean of 1 frame, every 4th pixel - refining");
 }
 
 TEST_F(Panel, CaptionNamesWhatMadeThePicture) {
   stats.frames = 64;
   state.settings.sampling.estimator = render::Estimator::paper;
-  EXPECT_EQ(caption(state, stats), "paper, 32 candidates, 4 neighbours, mean of 64 frames");
+  EXPECT_EQ(caption(state, stats), "paper, 24 candidates, 2 neighbours, mean of 64 frames");
   state.settings.sampling.estimator = render::Estimator::ris;
-  EXPECT_EQ(caption(state, stats), "ris, 32 candidates, mean of 64 frames");
+  EXPECT_EQ(caption(state, stats), "ris, 24 candidates, mean of 64 frames");
   state.settings.sampling.estimator = render::Estimator::reference;
   stats.frames = 1;
   EXPECT_EQ(caption(state, stats), "reference, mean of 1 frame");
