@@ -26,8 +26,15 @@ void draw_text(const ImVec2& at, ImU32 colour, const std::string& text, float wr
   list->AddText(font, size, at, colour, text.c_str(), nullptr, wrap_width);
 }
 
+constexpr float margin = 12;
+
+float find_wrap_width(const glm::vec2& window) {
+  return std::max(50.0f, window.x - 2 * margin);
+}
+
+// With the space to the line below it; an empty text takes none.
 float height_of(const std::string& text, float wrap_width) {
-  return ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap_width).y;
+  return text.empty() ? 0 : ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap_width).y + 2;
 }
 
 std::string join(const std::vector<std::string>& parts) {
@@ -50,17 +57,23 @@ std::string make_bottom_line(const ViewerState& state, const FrameStats& stats) 
 
 void draw_lines(const ViewerState& state, const FrameStats& stats, const Notices& notices,
                 const glm::vec2& window) {
-  const float margin = 12, wrap = std::max(50.0f, window.x - 2 * margin);
+  const float wrap = find_wrap_width(window);
   float y = window.y - margin / 2;
   const auto draw = [&](const std::string& text, ImU32 colour) {
     if (text.empty()) return;
-    y -= height_of(text, wrap) + 2;
+    y -= height_of(text, wrap);
     draw_text({margin, y}, colour, text, wrap);
   };
   draw(make_bottom_line(state, stats), white);
   draw(join(stats.licences), grey);
   for (auto line = notices.lines().rbegin(); line != notices.lines().rend(); ++line)
     draw(line->text, line->is_error ? red : white);
+}
+
+float measure_lines(const ViewerState& state, const FrameStats& stats, const glm::vec2& window) {
+  const float wrap = find_wrap_width(window);
+  return margin / 2 + height_of(make_bottom_line(state, stats), wrap) +
+         height_of(join(stats.licences), wrap);
 }
 
 void draw_middle(const std::string& text, const glm::vec2& window) {

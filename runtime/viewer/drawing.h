@@ -11,7 +11,7 @@
 
 namespace nightcity::viewer {
 
-/// Draws the caption at the bottom left, the licences at the bottom right, and notices above them.
+/// Draws the caption at the bottom left, the licences above it, and notices above them.
 void draw_lines(const ViewerState& state, const FrameStats& stats, const Notices& notices,
                 const glm::vec2& window);
 
@@ -34,6 +34,10 @@ void draw_markers(const scene::RenderScene& scene, const scene::CameraPose& pose
 /// Returns the line at the bottom of the window: what made the picture and what goes on; "" before
 /// there is a scene.
 std::string make_bottom_line(const ViewerState& state, const FrameStats& stats);
+
+/// Returns how far caption and licences reach up from the bottom of the window (pixels): nothing
+/// may cover them for good, for licences ask to be named.
+float measure_lines(const ViewerState& state, const FrameStats& stats, const glm::vec2& window);
 
 /// Closes the innermost thing that is open in the panel: a drop-down list, a text box. Returns
 /// whether there was one.

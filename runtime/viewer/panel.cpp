@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "runtime/viewer/drawing.h"
 #include "runtime/viewer/panel_night.h"
 #include "runtime/viewer/panel_settings.h"
 #include "runtime/viewer/panel_views.h"
@@ -99,10 +100,11 @@ void keep_on_screen() {
 PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
   PanelRequests requests;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float em = ImGui::GetFontSize(), caption = 2 * em;
+  const float em = ImGui::GetFontSize();
+  const float lines = measure_lines(state, stats, {screen.x, screen.y});
   ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
-  // As wide as it needs, and no higher than leaves the caption free: then it scrolls.
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {1e6f, std::max(4 * em, screen.y - caption - 10)});
+  // As wide as it needs, and no higher than leaves the lines below free: then it scrolls.
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {1e6f, std::max(4 * em, screen.y - lines - 14)});
   if (ImGui::Begin("nightview", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
     ImGui::PushItemWidth(16 * em);
     const bool opening = stats.scene.empty();

@@ -225,6 +225,18 @@ TEST_F(Panel, TheBottomLineSaysHowManyPixelsThereAreAndWhatGoesOn) {
             "traced, 24 candidates, 2 neighbours, mean of 1 frame, every 4th pixel - refining");
 }
 
+// Wide windows of little height, and narrow ones in which licences take many lines.
+TEST_F(Panel, LeavesTheLicencesFree) {
+  for (int i = 0; i < 4; ++i) stats.licences.push_back("Map data of somebody, under some licence");
+  for (const ImVec2 size : {ImVec2(1280, 720), ImVec2(640, 360), ImVec2(400, 900)}) {
+    ImGui::GetIO().DisplaySize = size;
+    for (int i = 0; i < 3; ++i) frame();
+    const ImGuiWindow* panel = ImGui::FindWindowByName("nightview");
+    ASSERT_NE(panel, nullptr);
+    EXPECT_LE(panel->Pos.y + panel->Size.y, size.y - measure_lines(state, stats, {size.x, size.y}));
+  }
+}
+
 TEST_F(Panel, CaptionNamesWhatMadeThePicture) {
   stats.frames = 64;
   state.settings.sampling.estimator = render::Estimator::paper;
