@@ -235,8 +235,9 @@ TEST_P(CrownLight, OnTheGroundIsTheUnshadedLightTimesTheGapsOnItsWay) {
       const glm::dvec3 ground =
           shadow + glm::dvec3(random.range(-20, 20), 1e-3, random.range(-20, 20));
       const double offset = find_offset(feet_[n], ground, lamp);
+      if (offset >= offsets.back()) continue;
       const Path path = find_path(ground, lamp);
-      if (offset >= offsets.back() || offset > path.nearest || !path.clear) continue;
+      if (offset > path.nearest || !path.clear) continue;
       const double unshaded = unshaded_lx(ground, lamp);
       const bool passes =
           !scene::trace_ray(scene, ground, lamp - ground, 1, MASK_SHADOW).has_value();

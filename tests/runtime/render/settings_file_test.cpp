@@ -64,7 +64,7 @@ TEST_F(SettingsFiles, LeaveAloneWhatTheCommandLineHasSet) {
   const SettingsFile file = read("[render]\ncandidates = 4\nneighbours = 1\nhistory = 2\n");
   RenderSettings settings;
   apply_settings_file(file, settings, [](const std::string& name) { return name == "candidates"; });
-  EXPECT_EQ(settings.sampling.candidates, 32u);
+  EXPECT_EQ(settings.sampling.candidates, RenderSettings{}.sampling.candidates);
   EXPECT_EQ(settings.reuse.neighbours, 1u);
   EXPECT_EQ(settings.reuse.max_history, 2) << "by its older name";
 }
