@@ -92,6 +92,10 @@ struct ReadOptions {
   /// Read this piece alone, of a file that FileReader::find_cuts allows to be cut.
   std::optional<TextPiece> piece{};
 
+  /// Returns whether objects are to go through the stage one at a time: with cut-out pictures each
+  /// may have cut_picture.h's max_object_pixels, and several threads have many objects on the way.
+  bool passes_one_by_one() const { return textures == Textures::atlas; }
+
   std::size_t max_member_bytes() const { return static_cast<std::size_t>(max_member_mb) << 20; }
 };
 

@@ -33,6 +33,17 @@ bool mentions_srs_name(std::string_view text) {
   return city::find_name(text, "srsName") != std::string_view::npos;
 }
 
+MemberBatch copy_member(const MemberBatch& whole, std::size_t number) {
+  MemberBatch one;
+  one.first_member = whole.first_member + number;
+  const std::string_view text = whole.text(whole.members[number]);
+  one.bytes = std::make_unique_for_overwrite<char[]>(text.size());
+  text.copy(one.bytes.get(), text.size());
+  one.members.push_back(whole.members[number]);
+  one.members.front().begin = 0;
+  return one;
+}
+
 struct BatchResult {
   std::vector<city::CityObject> objects;
   std::function<void()> rest;  // what the stage leaves to be done in file order
@@ -231,12 +242,17 @@ class StreamReader {
     MemberSplitter splitter(*source, document_.name, limits_of(options_));
     report_.version = splitter.head().version;
     const DocumentHead& head = splitter.head();
+    MemberBatch whole;
+    std::size_t at = 0;  // the next of its members, where they are passed on one by one
     in_order(
         options_.threads,
         [&]() -> std::optional<MemberBatch> {
-          std::optional<MemberBatch> batch(std::in_place);
-          if (!next(splitter, *batch)) batch.reset();
-          return batch;
+          if (at == whole.members.size()) {
+            at = 0;
+            if (!next(splitter, whole)) return {};
+          }
+          if (options_.passes_one_by_one()) return copy_member(whole, at++);
+          return std::exchange(whole, {});
         },
         [&](MemberBatch&& batch) { return parse(head, batch, only); },
         [&](BatchResult&& result) { take(std::move(result)); });

@@ -221,7 +221,8 @@ class DocumentReader {
   std::optional<Groups> next_groups(std::size_t& next) const {
     if (next >= groups_.size()) return {};
     Groups groups{next, next};
-    for (std::size_t bytes = 0; groups.end < groups_.size() && bytes < batch_bytes; ++groups.end)
+    const std::size_t enough = options_.passes_one_by_one() ? 1 : batch_bytes;
+    for (std::size_t bytes = 0; groups.end < groups_.size() && bytes < enough; ++groups.end)
       for (const std::uint32_t n : groups_.group(groups.end))
         bytes += document_.objects()[n].value.size();
     next = groups.end;

@@ -26,6 +26,19 @@ void for_each_line(const LineReader::Lines& lines, const Use& use) {
   }
 }
 
+// Takes the line that begins at a byte, and moves `at` behind it.
+LineReader::Lines take_line(LineReader::Lines& lines, std::size_t& at) {
+  const std::string_view all(lines.bytes.data(), lines.size);
+  const std::size_t feed = all.find('\n', at), end = feed == all.npos ? all.size() : feed + 1;
+  LineReader::Lines one;
+  one.first_line = lines.first_line++;
+  one.size = end - at;
+  one.bytes = all.substr(at, one.size);
+  one.bytes.resize(one.size + simdjson::SIMDJSON_PADDING, ' ');
+  at = end;
+  return one;
+}
+
 dom::element parse(dom::parser& parser, std::string_view line, const std::string& name,
                    std::size_t number) {
   dom::element value;
@@ -95,7 +108,16 @@ class SequenceReader {
   }
 
   std::optional<LineReader::Lines> next() {
-    return first_ ? std::exchange(first_, std::nullopt) : lines_.next();
+    if (!options_.passes_one_by_one())
+      return first_ ? std::exchange(first_, std::nullopt) : lines_.next();
+    if (!first_) first_ = lines_.next();
+    if (!first_) return {};
+    LineReader::Lines one = take_line(*first_, at_);
+    if (at_ == first_->size) {
+      first_.reset();
+      at_ = 0;
+    }
+    return one;
   }
 
   Batch read_lines(const LineReader::Lines& lines) const {
@@ -116,7 +138,9 @@ class SequenceReader {
   const city::ReadOptions& options_;
   const city::ObjectStage& stage_;
   LineReader lines_;
-  std::optional<LineReader::Lines> first_;  // the block that begins with the header
+  // The block that begins with the header, or one whose lines are passed on one by one.
+  std::optional<LineReader::Lines> first_;
+  std::size_t at_ = 0;  // byte of it that the next line begins at
   std::optional<std::size_t> header_line_;
   Header header_;
   city::ReadReport report_;

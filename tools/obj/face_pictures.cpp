@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "tools/city/cut_picture.h"
 #include "tools/obj/group_reader.h"
@@ -13,9 +15,11 @@ FacePictures::FacePictures(const city::Document& document, const Vertices& verti
     : vertices_(vertices), textures_(textures) {
   if (document.packed) return;  // its libraries are not read either
   std::vector<std::string> absent, names;
+  std::set<std::filesystem::path> read;
   const std::filesystem::path file = document.name;
   for (const std::string& library : vertices.libraries)
     for (const std::filesystem::path& one : find_libraries(file, library, absent)) {
+      if (!read.insert(one.lexically_normal()).second) continue;
       std::map<std::string, Material> materials;
       read_materials(one, file.parent_path(), materials);
       for (const auto& [name, material] : materials)

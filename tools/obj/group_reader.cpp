@@ -89,7 +89,7 @@ void GroupReader::take_statement(std::string_view key, std::string_view rest) {
     ++seen_texture_places_;
   } else if (key == "usemtl") {
     const auto known = materials_.find(std::string(city::trim(rest)));
-    material_ = known == materials_.end() ? nullptr : &known->second;
+    material_ = known == materials_.end() ? nullptr : known->second;
     if (material_ && material_->texture && !vertices_.keeps_texture_places)
       skipped_.add("texture (map_Kd) of usemtl");
   } else if (key == "mtllib") {
@@ -108,8 +108,12 @@ void GroupReader::read_library(std::string_view names) {
     return;
   }
   std::vector<std::string> absent;
-  for (const std::filesystem::path& file : find_libraries(folder_of_, names, absent))
-    read_materials(file, folder_of_.parent_path(), materials_);
+  for (const std::filesystem::path& file : find_libraries(folder_of_, names, absent)) {
+    const auto [library, is_new] = libraries_.try_emplace(file.lexically_normal());
+    if (!is_new) continue;
+    read_materials(file, folder_of_.parent_path(), library->second);
+    for (const auto& [name, material] : library->second) materials_[name] = &material;
+  }
   for (const std::string& name : absent)
     warnings_.push_back(lines_.name() + ":" + std::to_string(lines_.number()) +
                         ": the material library " + name +

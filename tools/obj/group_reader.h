@@ -58,7 +58,10 @@ class GroupReader {
   const Vertices& vertices_;
   TextLines lines_;
   std::filesystem::path folder_of_;  // the OBJ, beside which its libraries lie; empty: packed
-  std::map<std::string, Material> materials_;
+  // Each library once. Faces that are worked on elsewhere refer to its materials, so these stay as
+  // they are when a later one has the same names.
+  std::map<std::filesystem::path, std::map<std::string, Material>> libraries_;
+  std::map<std::string, const Material*> materials_;  // the latest of each name
   const Material* material_ = nullptr;
   std::size_t seen_vertices_ = 0, seen_texture_places_ = 0, faces_ = 0;
   Faces current_;

@@ -23,13 +23,15 @@ constexpr std::size_t faces_a_batch = 4096;
 // Gives out objects in file order, several small ones at a time.
 class ObjectSource {
  public:
-  ObjectSource(const city::Document& document, const Vertices& vertices)
-      : vertices_(vertices), groups_(document, vertices) {}
+  ObjectSource(const city::Document& document, const Vertices& vertices, bool one_by_one)
+      : vertices_(vertices),
+        groups_(document, vertices),
+        faces_a_batch_(one_by_one ? 1 : faces_a_batch) {}
 
   std::optional<std::vector<Faces>> next() {
     std::vector<Faces> batch;
     std::size_t faces = 0;
-    while (faces < faces_a_batch) {
+    while (faces < faces_a_batch_) {
       std::optional<Faces> one = take();
       if (!one) break;
       faces += one->size();
@@ -53,6 +55,7 @@ class ObjectSource {
 
   const Vertices& vertices_;
   GroupReader groups_;
+  std::size_t faces_a_batch_;
   std::vector<Faces> parts_;
   std::size_t next_part_ = 0;
   bool is_split_ = false;
@@ -167,7 +170,7 @@ city::ReadReport read_obj_document(const city::Document& document, const city::R
   const Vertices vertices = read_vertices(document, options);
   std::optional<FacePictures> pictures;
   if (vertices.keeps_texture_places) pictures.emplace(document, vertices, options.textures);
-  ObjectSource source(document, vertices);
+  ObjectSource source(document, vertices, options.passes_one_by_one());
   city::ReadReport report;
   in_order(
       options.threads, [&] { return source.next(); },

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include "tools/roads/road_class.h"
 
@@ -116,6 +120,32 @@ TEST(CoverGround, ALoweredKerbHasTheAreaOfItsProfileAndNoGaps) {
     const std::array<float, 6> back{edge[3], edge[4], edge[5], edge[0], edge[1], edge[2]};
     EXPECT_TRUE(sides.contains(back)) << edge[0] << ' ' << edge[1] << ' ' << edge[2];
   }
+}
+
+// Outlines that cross the ground's border in one place leave slivers there, whose corners are rounded
+// to where no triangle of the ground is.
+TEST(CoverGround, SliversAtTheGroundsBorderLieInItsPlane) {
+  Cover cover;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> along(2, 98), aside(0.5, 2);
+  for (int i = 0; i < 300; ++i) {
+    const double middle = along(random);
+    std::vector<glm::dvec2> ring{{middle - aside(random), middle + aside(random)},
+                                 {middle + aside(random), middle - aside(random)},
+                                 {middle + aside(random), middle + aside(random)}};
+    for (glm::dvec2& p : ring) p = glm::round(p * 1024.0) / 1024.0;
+    cover.add({2 * i, {GroundKind::asphalt, false, false}, {ring}});
+    for (glm::dvec2& p : ring) std::swap(p.x, p.y);  // mirrored in the border
+    cover.add({2 * i + 1, {GroundKind::paving_stones, false, false}, {ring}});
+  }
+  cover.finish();
+  const Stored slope = make_slope(0.1f)[0];  // its border runs through the strips
+  std::vector<Stored> triangles{slope};
+  CoverCounts counts;
+  cover_ground(cover, {0, 0, 0}, triangles, counts);
+  ASSERT_EQ(counts.uncut_tiles, 0u);
+  for (const Stored& t : triangles)
+    for (const glm::vec3& corner : t.corners) EXPECT_NEAR(corner.y, 0.1 * corner.x, 1e-4);
 }
 
 TEST(CoverGround, PaintIsSeenOnCarriagewaysOnly) {

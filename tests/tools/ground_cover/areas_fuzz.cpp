@@ -14,6 +14,7 @@
 #include "formats/finite.h"
 #include "support/fuzz_file.h"
 #include "tests/tools/city/fuzz_city.h"
+#include "tests/tools/osm/mutate_map.h"
 #include "tools/ground_cover/land_areas.h"
 #include "tools/map_buildings/read_map_buildings.h"
 #include "tools/mesh/partition.h"

@@ -37,6 +37,23 @@ TEST(HostileObj, FacesThatAreNoneAreSkippedAndCounted) {
   EXPECT_EQ(city.report.skipped.at("curve or surface of parameters (curv)"), 1u);
 }
 
+// A library that is named again for each object would be read as often.
+TEST(HostileObj, LibrariesAreReadOnceAndFacesKeepTheMaterialThatTheyHad) {
+  const TempFolder folder;
+  write_text(folder / "red.mtl", "newmtl m\nKd 1 0 0\n");
+  write_text(folder / "blue.mtl", "newmtl m\nKd 0 0 1\n");
+  std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  for (const char* library : {"red", "blue", "red"})
+    text += std::string("mtllib ") + library + ".mtl\no of " + library + "\nusemtl m\nf 1 2 3\n";
+  write_text(folder / "a.obj", text);
+  const City city = read_obj_file(folder / "a.obj");
+  ASSERT_EQ(city.objects.size(), 3u);
+  const glm::vec3 red(1, 0, 0), blue(0, 0, 1);
+  EXPECT_EQ(city.objects[0].polygons.at(0).diffuse_colour, red);
+  EXPECT_EQ(city.objects[1].polygons.at(0).diffuse_colour, blue);
+  EXPECT_EQ(city.objects[2].polygons.at(0).diffuse_colour, blue) << "red.mtl is read already";
+}
+
 TEST(HostileObj, AnythingCutOffOrChangedIsReadOrAnError) {
   const std::string text =
       read_text(std::string(NIGHTCITY_SOURCE_DIR) + "/tests/tools/obj/corpus/cube.obj");

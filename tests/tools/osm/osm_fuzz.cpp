@@ -5,6 +5,7 @@
 
 #include "formats/error.h"
 #include "support/fuzz_file.h"
+#include "tests/tools/osm/mutate_map.h"
 #include "tools/osm/read_osm.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -135,12 +135,13 @@ class Coverer {
       const glm::dvec2 middle = (plan.points[piece.vertex[0]] + plan.points[piece.vertex[1]] +
                                  plan.points[piece.vertex[2]]) /
                                 3.0;
-      Stored made = cut[owners[2]];
+      const Stored& facet = cut[owners[2]];
+      Stored made = facet;
       made.picture = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec2& p = plan.points[piece.vertex[k]];
         double& shared = heights_[piece.vertex[k]];
-        const double height = heights.find(p, middle, made);
+        const double height = heights.find(p, middle, facet);
         if (std::isnan(shared)) shared = height;
         // Neighbours share the height of their corner to the last bit.
         made.corners[k] = to_model(p, std::abs(height - shared) < same_height_m ? shared : height);
