@@ -192,8 +192,9 @@ bool begins_as_eulumdat(std::string_view text) {
     std::string digits(line);
     std::replace(digits.begin(), digits.end(), ',', '.');
     const auto value = city::parse_number(digits);
-    fits = value && *value >= expected.least && *value <= expected.greatest &&
-           (!expected.whole || *value == std::floor(*value));
+    const bool is_left_out = digits.empty() && !expected.whole;  // a distance that nobody needs
+    fits = is_left_out || (value && *value >= expected.least && *value <= expected.greatest &&
+                           (!expected.whole || *value == std::floor(*value)));
     return fits && number <= wanted.size();
   });
   return fits && number > wanted.size();

@@ -36,9 +36,11 @@ struct MapAreas {
   std::size_t open_ways = 0;   // ways that were selected and are not closed
   // Ways and multipolygons of more than `max_nodes`, or of a way that 64 have had before.
   std::size_t too_long = 0;
+  std::size_t points = 0;  // nodes that were selected, which have no outline
 };
 
-/// Reads all areas that are selected, of several versions of one the newest. Memory grows with them
+/// Reads all areas that are selected, of several versions of one the newest. A relation of
+/// type=building with selected tags is its outline. Memory grows with them
 /// and with the nodes of the map. Areas whose ways have more than `max_nodes` nodes together are
 /// left out, because the time that it takes to assemble rings grows with their square, and so are
 /// multipolygons beyond the 64th of one way. Throws Error: missing or broken.
