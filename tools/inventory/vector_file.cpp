@@ -16,9 +16,9 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
-#include "formats/packed_file.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/foreign_format.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/text_places.h"
@@ -48,15 +48,16 @@ std::string explain_unread(const std::filesystem::path& file) {
   if (said.find(".shx") != std::string::npos)
     return "the file " + file.stem().string() + ".shx that belongs to it is missing";
   if (!said.empty()) return said;
-  std::array<char, 512> bytes{};
+  std::array<char, 4096> bytes{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   if (city::begins_as_utf16(start)) return "it is text in UTF-16: save it in UTF-8";
   if (start.starts_with("PK\x03\x04"))
     return "it is an archive or a spreadsheet: unpack it, or save the table as CSV";
-  if (const std::string_view packed = describe_packed(start); !packed.empty())
-    return "it " + std::string(packed);
+  if (start.empty()) return "it is empty";
+  if (const std::string what = city::name_foreign(start, ""); !what.empty())
+    return "it " + what + "; a table can be saved as GeoJSON, CSV or GeoPackage (ogr2ogr)";
   return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons "
          "or tabs between its columns";
 }

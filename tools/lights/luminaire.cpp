@@ -10,6 +10,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/foreign_format.h"
 #include "tools/lights/text_lines.h"
 
 namespace nightcity::lights {
@@ -207,6 +208,8 @@ Luminaire read_luminaire(const std::filesystem::path& file) {
     return read_eulumdat(file);
   } catch (const Error& error) {
     if (begins_as_eulumdat(lines.text())) throw;
+    if (const std::string what = city::name_foreign(lines.text(), ""); !what.empty())
+      throw Error(file.string(), what + "; photometry is IES LM-63 or EULUMDAT");
     throw Error("", std::string(error.what()) +
                         "; it has no TILT= line either, so it is neither EULUMDAT nor IES");
   }

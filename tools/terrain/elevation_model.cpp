@@ -19,6 +19,7 @@
 #include "formats/input_file.h"
 #include "formats/packed_file.h"
 #include "tools/city/attributes.h"
+#include "tools/city/foreign_format.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/height_unit.h"
 #include "tools/terrain/raster_formats.h"
@@ -74,7 +75,7 @@ void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& n
 
 // Returns what GDAL said or, where it knows nothing of the file, what that is.
 std::string explain_unread(const std::filesystem::path& file) {
-  std::array<char, 512> bytes{};
+  std::array<char, 4096> bytes{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
@@ -83,9 +84,10 @@ std::string explain_unread(const std::filesystem::path& file) {
   if (start.starts_with("PK\x03\x04")) return "it is a zip archive: unpack it first";
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
-  const std::string said = CPLGetLastErrorMsg();
-  return said.empty() ? "it is in none of the formats of rasters that are read (GeoTIFF, ...)"
-                      : said;
+  if (const std::string said = CPLGetLastErrorMsg(); !said.empty()) return said;
+  if (const std::string what = city::name_foreign(start, ""); !what.empty())
+    return "it " + what + "; a raster of heights is a GeoTIFF, say";
+  return "it is in none of the formats of rasters that are read (GeoTIFF, ...)";
 }
 
 }  // namespace

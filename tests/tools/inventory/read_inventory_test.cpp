@@ -412,6 +412,17 @@ TEST(Inventory, WhatCannotBeReadIsAnErrorWithARemedy) {
             std::string::npos)
       << error("a.geojson", three_lamps);
   EXPECT_NE(error("b.zip", "PK\x03\x04").find("unpack it first"), std::string::npos);
+  EXPECT_NE(error("e.geojson", "").find("it is empty"), std::string::npos);
+  EXPECT_NE(error("e.geojson", "<!DOCTYPE html><html/>").find("it is a web page"),
+            std::string::npos);
+  EXPECT_NE(error("e.kml", "<kml xmlns=\"k\"><Document/></kml>").find("it is KML; a table can be"),
+            std::string::npos);
+  EXPECT_NE(error("e.json", "{\"error\":{\"code\":400}}").find("reports an error"),
+            std::string::npos);
+  EXPECT_NE(error("e.json", "{\"type\":\"Topology\",\"arcs\":[]}").find("it is TopoJSON"),
+            std::string::npos);
+  EXPECT_NE(error("e.osm", "<osm version=\"0.6\"/>").find("belongs in [osm] files"),
+            std::string::npos);
   EXPECT_NE(error("c.vrt",
                   "<OGRVRTDataSource><OGRVRTLayer name=\"x\"><SrcDataSource>/etc/passwd"
                   "</SrcDataSource></OGRVRTLayer></OGRVRTDataSource>")

@@ -324,6 +324,12 @@ TEST_F(LuminaireForms, EulumdatCommasLineEndsAndRemainingNumbers) {
             std::string::npos);
 }
 
+TEST_F(LuminaireForms, AFileOfAnotherKindIsNamed) {
+  EXPECT_NE(error_of("<!DOCTYPE html><html><body/></html>").find("is a web page"),
+            std::string::npos);
+  EXPECT_NE(error_of("%PDF-1.4", "a.ldt").find("is a PDF document"), std::string::npos);
+}
+
 TEST(LuminaireMarks, ContentTellsBothFormats) {
   EXPECT_TRUE(begins_as_ies("TILT=NONE\n1 1000 1"));
   EXPECT_TRUE(begins_as_ies("A lamp\r tilt = include\r"));

@@ -169,6 +169,16 @@ TEST(ElevationModel, AFileOfAnotherKindIsNamed) {
   EXPECT_NE(reason("\x1f\x8b rest").find("gunzip"), std::string::npos);
   EXPECT_NE(reason("PK\x03\x04 rest").find("zip archive: unpack it"), std::string::npos);
   EXPECT_NE(reason("hello").find("none of the formats"), std::string::npos) << reason("hello");
+  const std::pair<const char*, const char*> others[] = {
+      {"<!DOCTYPE html><html><body/></html>", "it is a web page"},
+      {"version https://git-lfs.github.com/spec/v1\n", "git lfs pull"},
+      {"LASF rest", "it is a point cloud (LAS, LAZ); a raster"},
+      {"<?xml version=\"1.0\"?><CityModel xmlns=\"http://www.opengis.net/citygml/2.0\"/>",
+       "it is a city model: it belongs in [city] files"},
+      {"<Dataset xmlns=\"http://fgd.gsi.go.jp/spec/2008/FGD_GMLSchema\"><DEM/></Dataset>",
+       "convert it to GeoTIFF"}};
+  for (const auto& [text, words] : others)
+    EXPECT_NE(reason(text).find(words), std::string::npos) << reason(text);
 }
 
 TEST(ElevationModel, MasksAndAlphaBandsAreHoles) {
