@@ -130,6 +130,10 @@ class Reader {
         for (const OGRPoint* point : *geometry.toMultiPoint())
           places.emplace_back(point->getX(), point->getY());
         break;
+      case wkbGeometryCollection:
+        for (const OGRGeometry* part : *geometry.toGeometryCollection())
+          for (const glm::dvec2& place : find_places(*part)) places.push_back(place);
+        break;
       default:
         break;
     }

@@ -83,15 +83,23 @@ class TranslatedFile {
   std::string text_, path_;
 };
 
-// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8; null for
-// others.
-std::unique_ptr<TranslatedFile> translate_wide_text(const std::filesystem::path& file,
-                                                    const std::string& ending) {
+// Returns whether a table begins with the line that tells Excel which sign separates its columns.
+bool begins_with_separator(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return to_lower(text.substr(0, 4)) == "sep=";
+}
+
+// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8, and one that
+// begins with "sep=;" without that line; null for others.
+std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file,
+                                               const std::string& ending) {
   std::array<char, 8> bytes{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start)) return nullptr;
+  if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start) &&
+      !begins_with_separator(start))
+    return nullptr;
   constexpr std::size_t most = std::size_t{1} << 30;
   const std::array<std::string_view, 1> endings{ending};
   const auto source = city::list_documents(file, endings).front().open();
@@ -104,9 +112,13 @@ std::unique_ptr<TranslatedFile> translate_wide_text(const std::filesystem::path&
       break;
     }
     if (end + size > most)
-      throw Error(file.string(), "is text in UTF-16 of more than 1 GB: save it in UTF-8");
+      throw Error(file.string(),
+                  "is text in UTF-16, or with a line \"sep=\", of more than 1 GB: "
+                  "save it in UTF-8 without that line");
   }
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
+  text.erase(0, text.find_first_not_of("\r\n"));
   return std::make_unique<TranslatedFile>(std::move(text), ending);
 }
 
@@ -140,7 +152,7 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
   std::unique_ptr<TranslatedFile> translated;
   if (const std::string ending = to_lower(inventory.file.extension().string());
       ending == ".csv" || ending == ".tsv") {
-    translated = translate_wide_text(inventory.file, ending);
+    translated = translate_text(inventory.file, ending);
     if (translated) path = translated->path();
     if (!holds_angles(path, inventory)) {
       options.SetNameValue("X_POSSIBLE_NAMES", inventory.x.empty() ? x_names : inventory.x.c_str());
