@@ -122,13 +122,15 @@ std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file
   return std::make_unique<TranslatedFile>(std::move(text), ending);
 }
 
-// Returns whether the first rows of a CSV have degrees and minutes in its columns of coordinates: the
-// driver, where it knows these columns, makes numbers of them and loses what is none.
-bool holds_angles(const std::string& path, const InventoryFile& inventory) {
+// Returns whether the first rows of a CSV have degrees and minutes, or digits in groups, in its
+// columns of coordinates: the driver, where it knows these columns, makes numbers of them and loses
+// what is none.
+bool holds_texts(const std::string& path, const InventoryFile& inventory) {
   const GDALDatasetUniquePtr dataset(GDALDataset::Open(
       path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
   if (!dataset || dataset->GetLayerCount() == 0) return false;
-  return TextPlaces(*dataset->GetLayer(0), inventory).begins_with_angles();
+  const TextPlaces places(*dataset->GetLayer(0), inventory);
+  return places.begins_with_angles() || places.begins_with_groups();
 }
 
 std::string list_layers(GDALDataset& dataset) {
@@ -154,7 +156,7 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
       ending == ".csv" || ending == ".tsv") {
     translated = translate_text(inventory.file, ending);
     if (translated) path = translated->path();
-    if (!holds_angles(path, inventory)) {
+    if (!holds_texts(path, inventory)) {
       options.SetNameValue("X_POSSIBLE_NAMES", inventory.x.empty() ? x_names : inventory.x.c_str());
       options.SetNameValue("Y_POSSIBLE_NAMES", inventory.y.empty() ? y_names : inventory.y.c_str());
     }

@@ -155,6 +155,48 @@ TEST(Inventory, GridsThatCountWestAndSouthAreReadInEitherSign) {
   }
 }
 
+TEST(Inventory, RowsThatTheServerLeftOutAreTold) {
+  const TempFolder folder;
+  const auto incomplete = [&](const std::string& said, const std::string& behind = "") {
+    write_text(folder / "lamps.geojson",
+               "{\"type\":\"FeatureCollection\"," + said +
+                   "\"features\":[{\"type\":\"Feature\",\"properties\":{},\"geometry\":{\"type\":"
+                   "\"Point\",\"coordinates\":[13.4,52.5]}}]" +
+                   behind + "}");
+    InventoryFile file;
+    file.file = folder / "lamps.geojson";
+    return read_inventory(file).report.incomplete;
+  };
+  EXPECT_EQ(incomplete(""), "");
+  EXPECT_EQ(incomplete("\"exceededTransferLimit\":false,"), "");
+  EXPECT_EQ(incomplete("\"numberMatched\":1,\"numberReturned\":1,"), "");
+  EXPECT_NE(incomplete("\"exceededTransferLimit\" : true,").find("exceededTransferLimit"),
+            std::string::npos);
+  EXPECT_NE(
+      incomplete("\"properties\":{\"exceededTransferLimit\":true},").find("a part of its rows"),
+      std::string::npos);
+  EXPECT_NE(incomplete("", ",\"numberMatched\":500,\"numberReturned\":1").find("1 of its 500 rows"),
+            std::string::npos);
+}
+
+TEST(Inventory, CoordinatesOfAGridMayStandInGroupsOfDigits) {
+  const TempFolder folder;
+  for (const char* row : {"2'600'000;1'200'000", "2 600 000,0;1 200 000,0",
+                          "2.600.000,0;1.200.000,0", "2600000;1'200'000"}) {
+    write_text(folder / "lamps.csv", "E;N;h\n" + std::string(row) + ";8\n");
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:2056";
+    file.x = "E";
+    file.y = "N";
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 1u) << row;
+    // The old observatory of Bern, of which the grid counts (swisstopo).
+    EXPECT_NEAR(read.lamps[0].lon_lat.x, 7.43864, 1e-4) << row;
+    EXPECT_NEAR(read.lamps[0].lon_lat.y, 46.95108, 1e-4) << row;
+  }
+}
+
 TEST(Inventory, KrovaksGridIsReadInEitherSign) {
   const TempFolder folder;
   const auto place = [&](const std::string& text) {
