@@ -7,6 +7,7 @@
 
 #include "tools/map_buildings/levels_text.h"
 #include "tools/osm/bearings.h"
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::map_buildings {
@@ -104,11 +105,6 @@ RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
   if (known != table.end()) return known->second;
   notes.add("roof:shape=" + text + ", shown flat");
   return RoofShape::flat;
-}
-
-std::optional<osm::Days> find_days(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::nullopt : osm::parse_days(found->second);
 }
 
 // A spire or a tent is roof from its foot to its top, but for a wall that has an area. Half of the
@@ -211,13 +207,7 @@ bool has_levels_below_alone(const osm::OsmTags& tags) {
 
 bool is_absent(const osm::OsmTags& tags, osm::Day day) {
   if (find_tag(tags, "location") == "underground" || has_levels_below_alone(tags)) return true;
-  for (const char* key : {"demolished", "razed", "removed", "destroyed", "dismantled"})
-    if (const auto found = tags.find(key);
-        found != tags.end() && osm::says_since(found->second, day))
-      return true;
-  if (const auto end = find_days(tags, "end_date"); end && end->last < day) return true;
-  for (const char* key : {"start_date", "opening_date"})
-    if (const auto start = find_days(tags, key); start && start->first > day) return true;
+  if (osm::is_gone(tags, day)) return true;
   for (const char* key : {"building", "building:part"}) {
     const std::string value = find_tag(tags, key);
     for (const char* absent : {"no", "construction", "proposed", "planned", "demolished", "razed",

@@ -23,6 +23,7 @@
 #include "formats/error.h"
 #include "tools/osm/arranged_map.h"
 #include "tools/osm/building_relations.h"
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_document.h"
 #include "tools/osm/outer_ways.h"
 #include "tools/osm/packed_map.h"
@@ -231,6 +232,9 @@ class Collector : public osmium::handler::Handler {
       return;
     }
     if (!whole.rings.empty()) made.push_back(std::move(whole));
+    if (selection_.day)
+      areas.gone += std::erase_if(
+          made, [&](const MapArea& one) { return is_gone(one.tags, *selection_.day); });
     if (from_way) made_ways_.insert(area.orig_id());
     // A history has several versions of an area: the newest counts.
     std::vector<MapArea>& list = areas.areas;
