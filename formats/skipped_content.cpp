@@ -52,7 +52,7 @@ bool has_weights(const Json& source) {
 }
 
 struct Counts {
-  std::size_t skins = 0, morphs = 0, punctual = 0, points_and_lines = 0, placeless = 0;
+  std::size_t skins = 0, morphs = 0, punctual = 0, points_and_lines = 0, placeless = 0, partial = 0;
   std::string names_of_placeless;  // where the first of them are
 };
 
@@ -62,6 +62,14 @@ std::string describe_place(std::size_t number, const Json& mesh, std::size_t pri
   return "mesh " + std::to_string(number) +
          (name.is_string() ? " (" + name.get<std::string>() + ")" : "") + ", primitive " +
          std::to_string(primitive);
+}
+
+// Returns whether a list of triangles has one or two corners beyond its last triangle.
+bool has_partial_triangle(const gltf::Document& document, const Json& primitive) {
+  auto accessor = gltf::index(primitive, "indices");
+  if (!accessor) accessor = gltf::index(member(primitive, "attributes"), "POSITION");
+  if (!accessor || *accessor >= document.count("accessors")) return false;
+  return gltf::index(document.element("accessors", *accessor), "count").value_or(0) % 3 != 0;
 }
 
 Counts count(const gltf::Document& document) {
@@ -79,7 +87,9 @@ Counts count(const gltf::Document& document) {
     std::size_t number = 0;
     for (const Json& primitive : member(mesh, "primitives")) {
       const std::size_t own = number++;
-      if (gltf::index(primitive, "mode").value_or(mode_triangles) < mode_triangles) {
+      const std::size_t mode = gltf::index(primitive, "mode").value_or(mode_triangles);
+      counts.partial += mode == mode_triangles && has_partial_triangle(document, primitive);
+      if (mode < mode_triangles) {
         ++counts.points_and_lines;
       } else if (!gltf::index(member(primitive, "attributes"), "POSITION")) {
         constexpr std::size_t named = 3;
@@ -119,6 +129,8 @@ std::vector<std::string> describe_skipped(const gltf::Document& document, bool b
   const std::string of_placeless =
       " no POSITION, so nothing of it is seen: " + counts.names_of_placeless;
   say(counts.placeless, " primitive has", " primitives have", of_placeless.c_str());
+  say(counts.partial, " primitive has", " primitives have",
+      " corners beyond the last whole triangle, which are left out");
   if (!baked)
     say(counts.punctual, " light is", " lights are",
         " not lit (KHR_lights_punctual): only the .lights file beside a scene shines");

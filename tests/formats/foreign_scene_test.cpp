@@ -201,6 +201,14 @@ TEST(ForeignScene, WhiteVerticesChangeNothing) {
   EXPECT_EQ(scene.materials.size(), 1u);
 }
 
+// Four corners are a strip of two triangles, and a list of one and a corner.
+TEST(ForeignScene, CornersBeyondTheLastWholeTriangleAreNamed) {
+  json document = foreign();
+  EXPECT_FALSE(says(read(document), "beyond the last whole triangle"));
+  document["meshes"][0]["primitives"][0]["mode"] = 4;
+  EXPECT_TRUE(says(read(document), "1 primitive has corners beyond the last whole triangle"));
+}
+
 TEST(ForeignScene, MovementAndLightsAreNamed) {
   json document = foreign();
   document["nodes"][0]["skin"] = 0;

@@ -5,6 +5,7 @@
 #include "tools/osm/map_areas.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/resolution.h"
+#include "tools/today.h"
 
 namespace nightcity::barriers {
 namespace {
@@ -23,7 +24,7 @@ std::vector<osm::OsmWay> read_outlines(const std::filesystem::path& map, std::si
                                        std::set<std::string>& known) {
   std::vector<osm::OsmWay> ways;
   for (const osm::MapArea& area :
-       osm::read_map_areas(map, {{"barrier"}, osm::is_barrier}, max_nodes).areas) {
+       osm::read_map_areas(map, {{"barrier"}, osm::is_barrier, today()}, max_nodes).areas) {
     // Closed ways are barriers already.
     if (!std::string_view(area.id).starts_with("relation/") || !known.insert(area.id).second)
       continue;

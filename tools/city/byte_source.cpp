@@ -186,13 +186,14 @@ std::vector<Document> list_documents_in_archive(const std::string& path,
                                                 std::span<const std::string_view> endings) {
   const auto archive = std::make_shared<Archive>(path);
   std::vector<Document> documents;
-  std::string packed_entry;  // the first that is packed itself
+  std::string first_entry, packed_entry;  // the first, and the first that is packed itself
   const zip_int64_t count = zip_get_num_entries(archive->get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     const char* entry = zip_get_name(archive->get(), index, ZIP_FL_ENC_GUESS);
     if (!entry || is_hidden_entry(entry)) continue;
     const std::string lower = to_lower(entry);
+    if (first_entry.empty() && !lower.ends_with('/')) first_entry = entry;
     if (packed_entry.empty() && ends_with_any(lower, packed_endings)) packed_entry = entry;
     if (!ends_with_any(lower, endings)) continue;
     const std::string name = path + "/" + entry;
@@ -202,7 +203,11 @@ std::vector<Document> list_documents_in_archive(const std::string& path,
   if (documents.empty() && !packed_entry.empty())
     throw Error(path, "the archive holds another packed file (" + packed_entry +
                           "): unpack it and name what is inside");
-  if (documents.empty()) throw Error(path, "the archive holds no " + join_endings(endings));
+  if (documents.empty())
+    throw Error(path, "the archive holds no " + join_endings(endings) +
+                          (first_entry.empty()
+                               ? ""
+                               : ", but " + first_entry + ": unpack it and name what is inside"));
   return documents;
 }
 

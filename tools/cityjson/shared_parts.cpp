@@ -143,7 +143,10 @@ void SharedParts::read(std::string_view key, const dom::element& value, const Wh
     transform = read_transform(value, where);
     has_transform = true;
   } else if (key == "metadata" && is_object) {
-    srs_name = to_srs_name(find_text(object, "referenceSystem"));
+    if (const auto said = find_member(object, "referenceSystem")) {
+      srs_name = to_srs_name(to_text(*said));  // also of 25832, a number
+      if (srs_name.empty()) skipped.add("referenceSystem that is no text");
+    }
   } else if (key == "appearance" && is_object) {
     materials.read(object);
   } else if (key == "geometry-templates" && is_object) {

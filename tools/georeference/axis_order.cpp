@@ -32,8 +32,8 @@ int rate_fit(const SourceCrs& crs, const glm::dvec2& lon_lat) {
 
 Candidates rate_orders(const SourceCrs& crs, const AxisOrder& expected,
                        std::span<const glm::dvec3> sample) {
-  Candidates all{
-      {expected, AxisOrder{!expected.swapped, 1}, AxisOrder{false, -1}, AxisOrder{true, -1}}};
+  Candidates all{{expected, AxisOrder{!expected.swapped, expected.sign},
+                  AxisOrder{false, -expected.sign}, AxisOrder{true, -expected.sign}}};
   for (std::size_t i = 0; i < order_count; ++i) {
     std::vector<glm::dvec2> points;
     for (const glm::dvec3& c : sample) points.push_back(all.orders[i].east_north(c));
@@ -47,8 +47,8 @@ Candidates rate_orders(const SourceCrs& crs, const AxisOrder& expected,
 void choose_by_area(const Candidates& all, const std::string& promise, AxisChoice& choice) {
   int best = 0;
   for (std::size_t i = 0; i < order_count; ++i) {
-    // Minus signs only where plus fails: a city in west and south degrees is far more often the
-    // truth.
+    // Other signs only where those that are expected fail: a city in west and south degrees is far
+    // more often the truth.
     if (i >= 2 && (best > 0 || choice.crs->geographic())) continue;
     if (all.fits[i] <= best) continue;
     best = all.fits[i];
@@ -120,7 +120,8 @@ std::string AxisOrder::in_words() const {
 AxisChoice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dvec3> sample,
                              AxisPromise given) {
   const bool by_register = given != AxisPromise::east_north;
-  const AxisOrder expected{by_register && crs->north_first(), 1};
+  const AxisOrder expected{by_register && crs->north_first(),
+                           by_register && crs->counts_west_and_south() ? -1.0 : 1.0};
   const std::string promise =
       by_register ? "in the EPSG register's order" : "in the order that names of this form mean";
   AxisChoice choice;

@@ -158,6 +158,9 @@ bool SourceCrs::geographic() const {
 bool SourceCrs::north_first() const {
   return state_->axes.north_axis == 0;
 }
+bool SourceCrs::counts_west_and_south() const {
+  return state_->axes.east_scale < 0 && state_->axes.north_scale < 0;
+}
 const std::string& SourceCrs::identity() const {
   return state_->identity;
 }

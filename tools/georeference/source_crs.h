@@ -19,6 +19,9 @@ class SourceCrs {
   bool geographic() const;
   /// Returns whether the EPSG register puts northing or latitude first.
   bool north_first() const;
+  /// Returns whether the axes of the register point west and south, as in South Africa and in
+  /// Krovak's grid. Files of such CRSs often count east and north in negative numbers instead.
+  bool counts_west_and_south() const;
   /// "EPSG:25833" where the register knows it and its axes are metres east and north; else a PROJ
   /// string in metres, else the name. Of a geographic CRS its own name.
   const std::string& identity() const;

@@ -8,12 +8,12 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/foreign_format.h"
 #include "tools/citygml/citygml_cuts.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/cityjson/read_cityjson.h"
 #include "tools/inputs/city_files.h"
-#include "tools/inputs/foreign_format.h"
 #include "tools/lights/luminaire.h"
 #include "tools/map_buildings/read_map_buildings.h"
 #include "tools/obj/read_obj.h"
@@ -33,7 +33,7 @@ bool holds(const FileStart& start, std::string_view text) {
 bool is_citygml(const FileStart& start) {
   if (!citygml::begins_as_citygml(start.bytes)) return false;
   const bool has_features = holds(start, "ember>") || holds(start, "embers>");
-  return find_root_name(start.bytes) != "FeatureCollection" || !has_features ||
+  return city::find_root_name(start.bytes) != "FeatureCollection" || !has_features ||
          holds(start, "citygml");
 }
 
@@ -137,7 +137,7 @@ const FileFormat& find_format(const std::filesystem::path& path) {
     if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
     if (!why.empty()) continue;
     if (where.empty()) where = document.name;
-    why = explain_foreign(bytes, name);
+    why = city::explain_foreign(bytes, name);
     if (why.empty()) why = osm::describe_unread_osm(bytes);
     if (!why.empty()) where = document.name;
   }
@@ -151,8 +151,8 @@ std::string find_reason_to_pass_over(const std::filesystem::path& path) {
   const std::string bytes = city::read_start(document, start_bytes), name = name_of(document);
   if (const FileFormat* format = recognise({bytes, name, document.packed}))
     return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
-  const bool is_text = !find_root_name(bytes).empty() || bytes.starts_with('{');
-  return is_text ? explain_foreign(bytes, name) : "";
+  const bool is_text = !city::find_root_name(bytes).empty() || bytes.starts_with('{');
+  return is_text ? city::explain_foreign(bytes, name) : "";
 }
 
 }  // namespace nightcity::inputs

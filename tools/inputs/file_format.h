@@ -40,7 +40,7 @@ std::span<const FileFormat> file_formats();
 /// Returns the format of the file at `path` by its first bytes; a name decides only where these say
 /// nothing (.ies, .ldt). Throws Error: missing, empty, a folder, broken gzip or zip,
 /// or of no format in the table; the message then says what it is instead, and the remedy
-/// (foreign_format.h). Of an archive the first entry of a format in the table decides.
+/// (tools/city/foreign_format.h). Of an archive the first entry of a format in the table decides.
 const FileFormat& find_format(const std::filesystem::path& path);
 
 /// Returns why a file that lies in a folder of city files is none of them: metadata, a code list, a

@@ -35,26 +35,40 @@ bool is_number(std::string_view text) {
   return text.find_first_not_of("0123456789.,+- ") == std::string_view::npos;
 }
 
+// Returns where the last word of "MountHeightFeet" begins; 0 where there is one word alone.
+std::size_t find_last_word(std::string_view heading) {
+  const auto is_in = [&](std::size_t at, char low, char high) {
+    return heading[at] >= low && heading[at] <= high;
+  };
+  for (std::size_t at = heading.size(); at-- > 1;)
+    if (is_in(at, 'A', 'Z') && is_in(at - 1, 'a', 'z')) return at;
+  return 0;
+}
+
 // Returns the unit that the heading of a column ends in where it is not the one that lamps are read
-// in: "Mounting height (ft)", "HEIGHT_FT", "Flux [klm]". A table says it there once for all rows.
+// in: "Mounting height (ft)", "HEIGHT_FT", "HeightFeet", "Flux [klm]". A table says it there once for all rows.
 std::string_view find_unit(std::string_view property, std::string_view heading) {
   struct Unit {
     std::string_view property, word, unit;
   };
-  constexpr std::array<Unit, 7> units{{{"height", "ft", "ft"},
-                                       {"height", "feet", "ft"},
-                                       {"height", "cm", "cm"},
-                                       {"height", "mm", "mm"},
-                                       {"height", "in", "in"},
-                                       {"lumens", "klm", "klm"},
-                                       {"watts", "kw", "kW"}}};
+  constexpr std::array<Unit, 10> units{{{"height", "ft", "ft"},
+                                        {"height", "feet", "ft"},
+                                        {"height", "foot", "ft"},
+                                        {"height", "inches", "in"},
+                                        {"height", "dm", "dm"},
+                                        {"height", "cm", "cm"},
+                                        {"height", "mm", "mm"},
+                                        {"height", "in", "in"},
+                                        {"lumens", "klm", "klm"},
+                                        {"watts", "kw", "kW"}}};
   const std::string lower = to_lower(city::trim(heading));
   std::string_view name = lower;
   const bool in_brackets = name.ends_with(')') || name.ends_with(']');
   if (in_brackets) name.remove_suffix(1);
   const std::size_t before = name.find_last_of(in_brackets ? "([" : "_ .-");
-  if (before == std::string_view::npos) return {};
-  const std::string_view word = city::trim(name.substr(before + 1));
+  const std::size_t begin =
+      before == std::string_view::npos ? find_last_word(city::trim(heading)) : before + 1;
+  const std::string_view word = city::trim(name.substr(begin));
   for (const Unit& unit : units)
     if (unit.property == property && unit.word == word) return unit.unit;
   return {};

@@ -50,13 +50,24 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
     return;
   }
   const glm::dvec2 middle((box.MinX + box.MaxX) / 2, (box.MinY + box.MaxY) / 2);
-  const glm::dvec2 lon_lat =
-      crs_->to_own_lon_lat(crs_->geographic() ? middle : middle * crs_->unit_to_metre());
+  const auto lies_in_area = [&](const georeference::AxisOrder& order) {
+    order_ = order;
+    return crs_->area_contains(crs_->to_own_lon_lat(to_east_north(middle)), 0);
+  };
+  if (!crs_->geographic() && !lies_in_area({false, 1}) && !lies_in_area({false, -1}) &&
+      !lies_in_area({true, -1}))
+    order_ = {};
+  const glm::dvec2 lon_lat = crs_->to_own_lon_lat(to_east_north(middle));
   crs_->select_operation(std::isfinite(lon_lat.x + lon_lat.y) ? &lon_lat : nullptr);
 }
 
+glm::dvec2 LayerCrs::to_east_north(const glm::dvec2& place) const {
+  const glm::dvec2 turned = order_.east_north({place, 0});
+  return crs_->geographic() ? turned : turned * crs_->unit_to_metre();
+}
+
 glm::dvec2 LayerCrs::to_lon_lat(const glm::dvec2& place) const {
-  return crs_->to_wgs84(crs_->geographic() ? place : place * crs_->unit_to_metre());
+  return crs_->to_wgs84(to_east_north(place));
 }
 
 }  // namespace nightcity::inventory

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 
+#include "tools/georeference/axis_order.h"
 #include "tools/georeference/source_crs.h"
 #include "tools/inventory/inventory.h"
 
@@ -13,7 +14,9 @@ namespace nightcity::inventory {
 
 class LayerCrs {
  public:
-  /// Takes the recipe's CRS, else the layer's. Throws Error where there is none, or PROJ does not
+  /// Takes the recipe's CRS, else the layer's. In grids of South Africa and of Krovak, places may be
+  /// east and north in negative numbers, or west and south in either order: where the former lie
+  /// outside the CRS's area of use, the latter are tried. Throws Error where there is none, or PROJ does not
   /// know it.
   LayerCrs(OGRLayer& layer, const InventoryFile& inventory);
 
@@ -24,7 +27,10 @@ class LayerCrs {
   bool is_geographic() const { return crs_->geographic(); }
 
  private:
+  glm::dvec2 to_east_north(const glm::dvec2& place) const;
+
   std::unique_ptr<georeference::SourceCrs> crs_;
+  georeference::AxisOrder order_;  // of the layer's places
 };
 
 }  // namespace nightcity::inventory

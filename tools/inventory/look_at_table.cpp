@@ -70,7 +70,7 @@ bool is_point(OGRwkbGeometryType type) {
 bool holds_points(OGRLayer& layer, const InventoryFile& inventory) {
   if (is_point(layer.GetGeomType()) || find_point_column(layer) >= 0) return true;
   const TextPlaces texts(layer, inventory);
-  if (texts.begins_with_angles()) return true;
+  if (texts.begins_with_angles() || texts.begins_with_groups()) return true;
   if (wkbFlatten(layer.GetGeomType()) != wkbUnknown) return false;
   // The first rows may be those without a place.
   constexpr int first_rows = 100;

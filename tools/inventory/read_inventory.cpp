@@ -19,6 +19,7 @@
 #include "tools/inventory/degrees_text.h"
 #include "tools/inventory/layer_columns.h"
 #include "tools/inventory/layer_crs.h"
+#include "tools/inventory/server_limit.h"
 #include "tools/inventory/text_places.h"
 #include "tools/inventory/vector_file.h"
 #include "tools/osm/tag_values.h"
@@ -53,6 +54,7 @@ class Reader {
     CPLErrorReset();
     result_.report.file = file_.file.filename().string();
     result_.report.format = driver_name(*dataset_);
+    result_.report.incomplete = find_server_limit(file_.file);
     layer_.ResetReading();
     for (OGRFeatureUniquePtr row; (row = OGRFeatureUniquePtr(layer_.GetNextFeature()));) {
       if (static_cast<int>(++result_.report.rows) > file_.max_lamps)
@@ -106,9 +108,11 @@ class Reader {
         places = find_places(*geometry);
         if (places.empty()) return skip("whose geometry is no point");
       } else {
-        const auto lon_lat = texts_.read_lon_lat(row);
+        const auto grouped = crs_.is_geographic() ? std::nullopt : texts_.read_grouped(row);
+        const auto lon_lat = grouped ? grouped : texts_.read_lon_lat(row);
         if (!lon_lat) return skip("without a place");
-        if (!crs_.is_geographic()) return skip("with degrees, where the CRS counts metres");
+        if (!crs_.is_geographic() && !grouped)
+          return skip("with degrees, where the CRS counts metres");
         places.push_back(*lon_lat);
       }
     }
@@ -129,6 +133,10 @@ class Reader {
       case wkbMultiPoint:
         for (const OGRPoint* point : *geometry.toMultiPoint())
           places.emplace_back(point->getX(), point->getY());
+        break;
+      case wkbGeometryCollection:
+        for (const OGRGeometry* part : *geometry.toGeometryCollection())
+          for (const glm::dvec2& place : find_places(*part)) places.push_back(place);
         break;
       default:
         break;

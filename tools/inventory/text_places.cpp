@@ -13,6 +13,7 @@
 #include "tools/city/text_encoding.h"
 #include "tools/inventory/degrees_text.h"
 #include "tools/inventory/vector_file.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -71,6 +72,26 @@ int find_binary_srid(std::string_view text) {
   return (number(1) & has_srid) != 0 && number(5) <= most ? static_cast<int>(number(5)) : 0;
 }
 
+// Returns a coordinate of a grid, whose digits may stand in groups.
+std::optional<double> parse_grouped(std::string_view text) {
+  constexpr double least_m = 1000;  // "391.403" are as many thousands
+  const std::string plain = osm::to_plain_signs(city::trim(text));
+  std::string_view rest = plain;
+  const bool is_negative = rest.starts_with('-');
+  if (is_negative) rest.remove_prefix(1);
+  const auto size = osm::take_amount(rest, least_m);
+  if (!size || !rest.empty()) return {};
+  return is_negative ? -*size : *size;
+}
+
+// Returns whether more separates the digits of a number than a decimal point or comma.
+bool has_groups(std::string_view text) {
+  const std::string plain = osm::to_plain_signs(city::trim(text));
+  const auto separators =
+      std::count_if(plain.begin(), plain.end(), [](char c) { return c == '.' || c == ','; });
+  return separators > 1 || plain.find_first_of("' ") != std::string::npos;
+}
+
 }  // namespace
 
 TextPlaces::TextPlaces(OGRLayer& layer, const InventoryFile& inventory)
@@ -100,6 +121,7 @@ void TextPlaces::look_at(const OGRFeature& row) {
     const std::string text = text_of(row, column);
     const bool is_plain = text.find_first_not_of("0123456789.,+-eE \t") == std::string::npos;
     begins_with_angles_ = begins_with_angles_ || (!is_plain && parse_angle(text));
+    begins_with_groups_ = begins_with_groups_ || (has_groups(text) && parse_grouped(text));
   }
 }
 
@@ -123,6 +145,12 @@ std::optional<glm::dvec2> TextPlaces::read_lon_lat(const OGRFeature& row) const 
   if (!x || !y || (x->axis == y->axis && x->axis != Angle::Axis::unknown)) return {};
   const bool turned = x->axis == Angle::Axis::latitude || y->axis == Angle::Axis::longitude;
   return turned ? glm::dvec2(y->degrees, x->degrees) : glm::dvec2(x->degrees, y->degrees);
+}
+
+std::optional<glm::dvec2> TextPlaces::read_grouped(const OGRFeature& row) const {
+  if (x_ < 0 || y_ < 0 || begins_with_angles_) return {};
+  const auto x = parse_grouped(text_of(row, x_)), y = parse_grouped(text_of(row, y_));
+  return x && y ? std::optional(glm::dvec2(*x, *y)) : std::nullopt;
 }
 
 std::string TextPlaces::text_of(const OGRFeature& row, int column) const {

@@ -24,12 +24,17 @@ class TextPlaces {
   bool has_columns() const { return x_ >= 0 && y_ >= 0; }
   /// Returns whether one of the first 100 rows has angles there that are no plain numbers.
   bool begins_with_angles() const { return begins_with_angles_; }
+  /// Returns whether one of the first 100 rows has numbers there whose digits stand in groups.
+  bool begins_with_groups() const { return begins_with_groups_; }
 
   /// Returns the geometry of a row by its EWKT, null without. Throws Error where that names another
   /// CRS than the first.
   OGRGeometryUniquePtr read_geometry(const OGRFeature& row) const;
   /// Returns longitude and latitude of a row by two columns with angles.
   std::optional<glm::dvec2> read_lon_lat(const OGRFeature& row) const;
+  /// Returns a row's place in a grid by two columns with numbers of whose digits some stand in groups
+  /// ("2'600'000", "391 403,3", "5.817.859,1"); none where the table has angles.
+  std::optional<glm::dvec2> read_grouped(const OGRFeature& row) const;
 
  private:
   void look_at(const OGRFeature& row);
@@ -37,7 +42,7 @@ class TextPlaces {
 
   std::string file_, crs_;
   int x_ = -1, y_ = -1, geometry_ = -1;  // columns
-  bool begins_with_angles_ = false;
+  bool begins_with_angles_ = false, begins_with_groups_ = false;
 };
 
 }  // namespace nightcity::inventory

@@ -16,9 +16,9 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
-#include "formats/packed_file.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/foreign_format.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/text_places.h"
@@ -48,15 +48,16 @@ std::string explain_unread(const std::filesystem::path& file) {
   if (said.find(".shx") != std::string::npos)
     return "the file " + file.stem().string() + ".shx that belongs to it is missing";
   if (!said.empty()) return said;
-  std::array<char, 512> bytes{};
+  std::array<char, 4096> bytes{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   if (city::begins_as_utf16(start)) return "it is text in UTF-16: save it in UTF-8";
   if (start.starts_with("PK\x03\x04"))
     return "it is an archive or a spreadsheet: unpack it, or save the table as CSV";
-  if (const std::string_view packed = describe_packed(start); !packed.empty())
-    return "it " + std::string(packed);
+  if (start.empty()) return "it is empty";
+  if (const std::string what = city::name_foreign(start, ""); !what.empty())
+    return "it " + what + "; a table can be saved as GeoJSON, CSV or GeoPackage (ogr2ogr)";
   return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons "
          "or tabs between its columns";
 }
@@ -82,15 +83,23 @@ class TranslatedFile {
   std::string text_, path_;
 };
 
-// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8; null for
-// others.
-std::unique_ptr<TranslatedFile> translate_wide_text(const std::filesystem::path& file,
-                                                    const std::string& ending) {
+// Returns whether a table begins with the line that tells Excel which sign separates its columns.
+bool begins_with_separator(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return to_lower(text.substr(0, 4)) == "sep=";
+}
+
+// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8, and one that
+// begins with "sep=;" without that line; null for others.
+std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file,
+                                               const std::string& ending) {
   std::array<char, 8> bytes{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start)) return nullptr;
+  if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start) &&
+      !begins_with_separator(start))
+    return nullptr;
   constexpr std::size_t most = std::size_t{1} << 30;
   const std::array<std::string_view, 1> endings{ending};
   const auto source = city::list_documents(file, endings).front().open();
@@ -103,19 +112,25 @@ std::unique_ptr<TranslatedFile> translate_wide_text(const std::filesystem::path&
       break;
     }
     if (end + size > most)
-      throw Error(file.string(), "is text in UTF-16 of more than 1 GB: save it in UTF-8");
+      throw Error(file.string(),
+                  "is text in UTF-16, or with a line \"sep=\", of more than 1 GB: "
+                  "save it in UTF-8 without that line");
   }
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
+  text.erase(0, text.find_first_not_of("\r\n"));
   return std::make_unique<TranslatedFile>(std::move(text), ending);
 }
 
-// Returns whether the first rows of a CSV have degrees and minutes in its columns of coordinates: the
-// driver, where it knows these columns, makes numbers of them and loses what is none.
-bool holds_angles(const std::string& path, const InventoryFile& inventory) {
+// Returns whether the first rows of a CSV have degrees and minutes, or digits in groups, in its
+// columns of coordinates: the driver, where it knows these columns, makes numbers of them and loses
+// what is none.
+bool holds_texts(const std::string& path, const InventoryFile& inventory) {
   const GDALDatasetUniquePtr dataset(GDALDataset::Open(
       path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
   if (!dataset || dataset->GetLayerCount() == 0) return false;
-  return TextPlaces(*dataset->GetLayer(0), inventory).begins_with_angles();
+  const TextPlaces places(*dataset->GetLayer(0), inventory);
+  return places.begins_with_angles() || places.begins_with_groups();
 }
 
 std::string list_layers(GDALDataset& dataset) {
@@ -139,9 +154,9 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
   std::unique_ptr<TranslatedFile> translated;
   if (const std::string ending = to_lower(inventory.file.extension().string());
       ending == ".csv" || ending == ".tsv") {
-    translated = translate_wide_text(inventory.file, ending);
+    translated = translate_text(inventory.file, ending);
     if (translated) path = translated->path();
-    if (!holds_angles(path, inventory)) {
+    if (!holds_texts(path, inventory)) {
       options.SetNameValue("X_POSSIBLE_NAMES", inventory.x.empty() ? x_names : inventory.x.c_str());
       options.SetNameValue("Y_POSSIBLE_NAMES", inventory.y.empty() ? y_names : inventory.y.c_str());
     }

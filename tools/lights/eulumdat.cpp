@@ -25,6 +25,11 @@ class Cursor {
     return lines_.all()[next_++].text;
   }
   double number(std::string_view what) { return lines_.number(text(what), line_, what); }
+  /// Reads a number that may be missing: programs leave lines blank of which they know nothing.
+  double number_or(double otherwise, std::string_view what) {
+    const std::string_view value = text(what);
+    return value.empty() ? otherwise : lines_.number(value, line_, what);
+  }
   int integer(std::string_view what, int low, int high) {
     const std::string_view value = text(what);
     return lines_.integer(value, line_, what, low, high);
@@ -93,25 +98,25 @@ Head read_head(const TextLines& lines, Cursor& at) {
   at.integer("the type of luminaire", 0, 3);
   head.symmetry = at.integer("the symmetry", 0, 4);
   const int planes = at.integer("the number of C planes", 1, max_ldt_angles);
-  at.number("the distance of C planes");
+  at.number_or(0, "the distance of C planes");
   head.gamma_count = at.integer("the number of gamma angles", 2, max_ldt_angles);
-  at.number("the distance of gamma angles");
+  at.number_or(0, "the distance of gamma angles");
   at.text("the report's number");
   luminaire.name = at.text("the luminaire's name");
   at.skip(3, "number, file and date");
   at.skip(3, "the luminaire's size");
-  luminaire.length_m = at.number("the luminous length") / 1000;
-  luminaire.width_m = at.number("the luminous width") / 1000;
-  luminaire.height_m = at.number("the luminous height") / 1000;
+  luminaire.length_m = at.number_or(0, "the luminous length") / 1000;
+  luminaire.width_m = at.number_or(0, "the luminous width") / 1000;
+  luminaire.height_m = at.number_or(0, "the luminous height") / 1000;
   at.skip(3, "the luminous heights");
-  at.number("the downward flux fraction");
-  head.output_ratio = at.number("the light output ratio") / 100;
-  head.factor = at.number("the conversion factor");
+  at.number_or(0, "the downward flux fraction");
+  head.output_ratio = at.number_or(0, "the light output ratio") / 100;
+  head.factor = at.number_or(1, "the conversion factor");
   if (head.factor <= 0) head.factor = 1;
-  at.number("the tilt");
+  at.number_or(0, "the tilt");
   const int sets = at.integer("the number of lamp sets", 1, 20);
   for (int n = 0; n < sets; ++n) {
-    at.number("the number of lamps");  // the flux below is that of the whole set
+    at.number_or(1, "the number of lamps");  // the flux below is that of the whole set
     at.text("the type of lamps");
     const double flux = at.number("the lamps' flux");
     if (n == 0) head.lamp_flux_lm = flux;  // further sets are alternatives

@@ -115,10 +115,14 @@ IesTable read_table(const TextLines& lines, std::size_t first, bool has_tilt_tab
   table.height_m = std::abs(numbers.next("the height")) * unit;
   double scale = multiplier * numbers.next("the ballast factor");
   // LM-63-2019 has the file generation type here, a code like 1.10000 for an accredited laboratory.
-  if (year >= 2019)
+  if (year >= 2019) {
     numbers.next("the file generation type");
-  else
-    scale *= numbers.next("the ballast-lamp factor");
+  } else {
+    // LM-63-1995 and 2002 keep the place "for future use": some programs write 0 there, which is no
+    // factor.
+    const double factor = numbers.next("the ballast-lamp factor");
+    scale *= year >= 1995 && factor == 0 ? 1 : factor;
+  }
   numbers.next("input watts");
   if (!(scale > 0)) lines.fail(numbers.line(), "multiplier and factors must be above zero");
   table.vertical = numbers.angles(vertical, "vertical angles");

@@ -10,19 +10,38 @@ namespace nightcity::lights {
 namespace {
 
 using std::string_view;
+using namespace std::string_view_literals;
 
 constexpr std::array<string_view, 10> gone_keys = {
     "disused",   "abandoned",  "demolished", "removed",      "razed",
     "destroyed", "dismantled", "ruined",     "construction", "proposed"};
-constexpr std::array<string_view, 28> broken_words = {
-    "broken",      "out_of_order",    "out_of_service",  "defective",  "defect",     "damaged",
-    "closed",      "disabled",        "decommissioned",  "inactive",   "off",        "no",
-    "not_working", "non_operational", "not_operational", "faulty",     "vandalised", "vandalized",
-    "destroyed",   "missing",         "removed",         "dismantled", "demolished", "abandoned",
-    "disused",     "not_in_use",      "unused",          "false"};
-constexpr std::array<string_view, 11> working_words = {"operational", "yes",    "working", "ok",
-                                                       "functional",  "open",   "active",  "in_use",
-                                                       "good",        "normal", "true"};
+// In English and as authorities of other countries write them in their inventories.
+constexpr std::array broken_words = {
+    // broken
+    "broken"sv, "defective"sv, "defect"sv, "defekt"sv, "damaged"sv, "faulty"sv, "fault"sv,
+    "failed"sv, "dead"sv, "burned_out"sv, "burnt_out"sv, "vandalised"sv, "vandalized"sv,
+    "en_panne"sv, "guasto"sv, "averiada"sv,
+    // switched off or out of use
+    "out_of_order"sv, "out_of_service"sv, "out_of_use"sv, "out"sv, "closed"sv, "disabled"sv,
+    "decommissioned"sv, "inactive"sv, "off"sv, "no"sv, "false"sv, "not_working"sv, "not_in_use"sv,
+    "not_in_service"sv, "non_operational"sv, "not_operational"sv, "inoperative"sv, "unused"sv,
+    "disused"sv, "retired"sv, "stillgelegt"sv, "ausser_betrieb"sv,
+    "au\xc3\x9f"
+    "er_betrieb"sv,
+    "hors_service"sv, "fuera_de_servicio"sv, "fuori_servizio"sv, "non_operativo"sv,
+    "buiten_gebruik"sv,
+    // gone
+    "destroyed"sv, "missing"sv, "removed"sv, "dismantled"sv, "demolished"sv, "abandoned"sv,
+    "abandoned_in_place"sv, "demontiert"sv, "abgebaut"sv,
+    // not there yet
+    "planned"sv, "proposed"sv, "future"sv, "under_construction"sv, "construction"sv, "geplant"sv,
+    "im_bau"sv};
+constexpr std::array working_words = {
+    "operational"sv, "operating"sv, "operative"sv, "in_operation"sv, "yes"sv,
+    "true"sv,        "on"sv,        "working"sv,   "ok"sv,           "functional"sv,
+    "functioning"sv, "open"sv,      "active"sv,    "in_use"sv,       "in_service"sv,
+    "good"sv,        "normal"sv,    "installed"sv, "existing"sv,     "live"sv,
+    "energized"sv,   "current"sv,   "aktiv"sv,     "in_betrieb"sv,   "en_service"sv};
 
 const std::string* find(const osm::OsmTags& tags, string_view key) {
   const auto found = tags.find(std::string(key));
@@ -57,27 +76,29 @@ string_view find_outage(const osm::OsmTags& tags, Day day,
   };
   for (const string_view key : gone_keys) {
     const std::string* text = find(tags, key);
-    if (!text) continue;
-    const std::string word = osm::normalise_tag(*text);
-    const auto since = parse_days(*text);  // demolished=2019-05
-    if (word == "yes" || word == "true" || word == "1" || (since && since->first <= day))
-      return "disused or demolished";
+    if (text && osm::says_since(*text, day)) return "disused or demolished";
   }
   for (const char* key : {"operational_status", "light:operational_status", "lamp:status"}) {
     const std::string* text = find(tags, key);
     if (!text) continue;
-    const std::string word = osm::normalise_tag(*text);
-    if (is_one_of(word, broken_words)) return "broken";
-    if (!is_one_of(word, working_words)) count_unread(key, *text);
+    for (const string_view part : osm::split_list(*text)) {
+      const std::string word = osm::normalise_tag(part);
+      if (is_one_of(word, broken_words)) return "broken";
+      if (!is_one_of(word, working_words)) count_unread(key, std::string(part));
+    }
   }
   if (const std::string* text = find(tags, "end_date")) {
     const auto end = parse_days(*text);
     if (end && end->last < day) return "end_date past";
     if (!end) count_unread("end_date", *text);
   }
-  if (const std::string* text = find(tags, "start_date"))
-    if (const auto start = parse_days(*text); start && start->first > day)
-      return "start_date ahead";
+  for (const char* key : {"start_date", "opening_date"}) {
+    const std::string* text = find(tags, key);
+    if (!text) continue;
+    const auto start = parse_days(*text);
+    if (start && start->first > day) return "start_date ahead";
+    if (!start) count_unread(key, *text);
+  }
   return is_below_ground(tags) ? "underground" : "";
 }
 

@@ -10,6 +10,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
+#include "tools/city/foreign_format.h"
 #include "tools/lights/text_lines.h"
 
 namespace nightcity::lights {
@@ -192,8 +193,9 @@ bool begins_as_eulumdat(std::string_view text) {
     std::string digits(line);
     std::replace(digits.begin(), digits.end(), ',', '.');
     const auto value = city::parse_number(digits);
-    fits = value && *value >= expected.least && *value <= expected.greatest &&
-           (!expected.whole || *value == std::floor(*value));
+    const bool is_left_out = digits.empty() && !expected.whole;  // a distance that nobody needs
+    fits = is_left_out || (value && *value >= expected.least && *value <= expected.greatest &&
+                           (!expected.whole || *value == std::floor(*value)));
     return fits && number <= wanted.size();
   });
   return fits && number > wanted.size();
@@ -206,6 +208,8 @@ Luminaire read_luminaire(const std::filesystem::path& file) {
     return read_eulumdat(file);
   } catch (const Error& error) {
     if (begins_as_eulumdat(lines.text())) throw;
+    if (const std::string what = city::name_foreign(lines.text(), ""); !what.empty())
+      throw Error(file.string(), what + "; photometry is IES LM-63 or EULUMDAT");
     throw Error("", std::string(error.what()) +
                         "; it has no TILT= line either, so it is neither EULUMDAT nor IES");
   }

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "tools/map_buildings/levels_text.h"
 #include "tools/osm/bearings.h"
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::map_buildings {
@@ -20,14 +22,25 @@ std::string find_tag(const osm::OsmTags& tags, const char* key) {
   return found == tags.end() ? std::string() : osm::normalise_tag(found->second);
 }
 
+// Returns the greatest length in a list such as "10;12": a building is as high as its highest part.
+std::optional<double> parse_greatest_m(std::string_view text) {
+  std::optional<double> greatest;
+  for (const std::string_view part : osm::split_list(text)) {
+    const auto length = osm::parse_length_m(part);
+    if (!length) return {};
+    greatest = std::max(greatest.value_or(*length), *length);
+  }
+  return greatest;
+}
+
 // Returns a length from the first of several keys that is understood, and counts the others.
 std::optional<double> find_length(const osm::OsmTags& tags, std::initializer_list<const char*> keys,
-                                  city::SkipCounter& notes) {
+                                  city::SkipCounter& notes, double least_m = 0) {
   for (const char* key : keys) {
     const auto found = tags.find(key);
     if (found == tags.end()) continue;
-    const auto length = osm::parse_length_m(found->second);
-    if (length && *length >= 0 && *length <= max_height_m) return length;
+    const auto length = parse_greatest_m(found->second);
+    if (length && *length >= least_m && *length <= max_height_m) return length;
     notes.add(std::string(key) + "=" + found->second + ", not understood");
   }
   return {};
@@ -37,11 +50,13 @@ std::optional<double> find_count(const osm::OsmTags& tags, const char* key,
                                  city::SkipCounter& notes) {
   const auto found = tags.find(key);
   if (found == tags.end()) return {};
-  std::string_view text = found->second;
-  const auto count = osm::take_number(text);
-  if (count && *count >= 0 && *count <= max_levels) return count;
-  notes.add(std::string(key) + "=" + found->second + ", not understood");
-  return {};
+  const auto levels = parse_levels(found->second);
+  const bool is_count = levels && levels->count >= 0 && levels->count <= max_levels;
+  if (!is_count)
+    notes.add(std::string(key) + "=" + found->second + ", not understood");
+  else if (!levels->is_whole)
+    notes.add(std::string(key) + "=" + found->second + ", of which the number is used");
+  return is_count ? std::optional(levels->count) : std::nullopt;
 }
 
 double assume_levels(const osm::OsmTags& tags) {
@@ -92,11 +107,6 @@ RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
   return RoofShape::flat;
 }
 
-std::optional<osm::Days> find_days(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::nullopt : osm::parse_days(found->second);
-}
-
 // A spire or a tent is roof from its foot to its top, but for a wall that has an area. Half of the
 // height is left to the walls where a roof would take more than all.
 double limit_rise(double rise_m, double room_m) {
@@ -125,12 +135,15 @@ void set_rise(BuildingSizes& sizes, double rise_m) {
 
 BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   BuildingSizes sizes;
-  const auto levels = find_count(tags, "building:levels", notes);
+  auto levels = find_count(tags, "building:levels", notes);
+  if (!levels) levels = find_count(tags, "building:levels:aboveground", notes);
   const auto roof_levels = find_count(tags, "roof:levels", notes);
   const auto min_level = find_count(tags, "building:min_level", notes);
   sizes.foot_m = find_length(tags, {"min_height", "building:min_height"}, notes)
                      .value_or(storey_m * min_level.value_or(0));
-  const auto height = find_length(tags, {"height", "building:height"}, notes);
+  // A height of 0 stands for none.
+  const auto height =
+      find_length(tags, {"height", "building:height", "est_height"}, notes, least_height_m);
   sizes.roof = find_shape(tags, notes);
   if (const std::string orientation = find_tag(tags, "roof:orientation"); !orientation.empty())
     sizes.across = orientation == "across";
@@ -177,15 +190,28 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   return sizes;
 }
 
+namespace {
+
+// "building:levels=0" beside levels below the ground: nothing of it is seen.
+bool has_levels_below_alone(const osm::OsmTags& tags) {
+  city::SkipCounter unused;
+  for (const char* key : {"height", "building:height", "est_height"})
+    if (tags.contains(key)) return false;
+  const auto above = find_count(tags, "building:levels", unused),
+             below = find_count(tags, "building:levels:underground", unused),
+             roof = find_count(tags, "roof:levels", unused);
+  return above == 0.0 && below.value_or(0) > 0 && roof.value_or(0) == 0;
+}
+
+}  // namespace
+
 bool is_absent(const osm::OsmTags& tags, osm::Day day) {
-  if (find_tag(tags, "location") == "underground") return true;
-  for (const char* key : {"demolished", "razed", "removed", "destroyed"})
-    if (find_tag(tags, key) == "yes") return true;
-  if (const auto end = find_days(tags, "end_date"); end && end->last < day) return true;
-  if (const auto start = find_days(tags, "start_date"); start && start->first > day) return true;
+  if (find_tag(tags, "location") == "underground" || has_levels_below_alone(tags)) return true;
+  if (osm::is_gone(tags, day)) return true;
   for (const char* key : {"building", "building:part"}) {
     const std::string value = find_tag(tags, key);
-    for (const char* absent : {"no", "construction", "proposed", "demolished", "razed", "ruins"})
+    for (const char* absent : {"no", "construction", "proposed", "planned", "demolished", "razed",
+                               "removed", "destroyed", "dismantled", "collapsed", "ruins"})
       if (value == absent) return true;
   }
   return false;

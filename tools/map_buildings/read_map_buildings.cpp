@@ -226,6 +226,9 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
     report.skipped["building of more nodes than [osm] max_way_nodes = " +
                    std::to_string(options.max_way_nodes)] = areas.too_long;
 
+  if (areas.points > 0)
+    report.skipped["building mapped as a point, without an outline"] = areas.points;
+
   const PartIndex index(buildings);
   std::vector<std::vector<const MapArea*>> parts(buildings.size());
   std::vector<const MapArea*> alone;  // parts of no building

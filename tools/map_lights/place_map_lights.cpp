@@ -17,7 +17,9 @@
 #include "tools/map_lights/light_collector.h"
 #include "tools/map_lights/place_signs.h"
 #include "tools/map_lights/thing.h"
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/tag_values.h"
+#include "tools/today.h"
 
 namespace nightcity::map_lights {
 namespace {
@@ -72,6 +74,7 @@ class Placer {
     const auto kind = find_kind(thing.tags);
     if (!kind || !options_.makes(*kind)) return;
     ++counts(*kind).mapped;
+    if (osm::is_out_of_use(thing.tags, today())) return out_.leave_out("disused or abandoned");
     const std::vector<glm::dvec2> outline = find_outline(thing, ground_.to_frame);
     if (outline.empty()) return out_.leave_out("outside the projection");
     if (*kind == MapLightKind::advertising)

@@ -33,6 +33,7 @@ Inspection inspect_osm(const std::filesystem::path& file) {
                        {"duplicates", data.duplicates},
                        {"older versions", data.old_versions},
                        {"ways of too many nodes", data.long_ways},
+                       {"gone or not built yet", data.gone},
                        {"streets or tracks beyond 64 in one place", data.crowded_ways}};
   if (!data.remarks.empty()) result["remarks"] = data.remarks;
   result["nodes"] = data.nodes;

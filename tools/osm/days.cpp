@@ -2,6 +2,9 @@
 
 #include <charconv>
 #include <cstddef>
+#include <string>
+
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::osm {
 namespace {
@@ -58,9 +61,17 @@ std::optional<Days> parse_days(string_view text) {
     return Days{Day(year(*number) / month_of / 1), Day(year(*number) / month_of / last)};
   text.remove_prefix(1);
   const auto day_number = take_digits(text, 2);
-  if (!day_number || !text.empty()) return std::nullopt;
+  // Databases write the time of the day as well: "2015-05-03T12:00:00Z".
+  const bool has_time = text.starts_with('T') || text.starts_with(' ');
+  if (!day_number || !(text.empty() || has_time)) return std::nullopt;
   const auto date = year(*number) / month_of / day(static_cast<unsigned>(*day_number));
   return date.ok() ? std::optional(Days{Day(date), Day(date)}) : std::nullopt;
+}
+
+bool says_since(string_view value, Day day) {
+  const std::string word = normalise_tag(value);
+  const auto since = parse_days(value);
+  return word == "yes" || word == "true" || word == "1" || (since && since->first <= day);
 }
 
 }  // namespace nightcity::osm

@@ -22,6 +22,8 @@
 
 #include "formats/error.h"
 #include "tools/osm/arranged_map.h"
+#include "tools/osm/building_relations.h"
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_document.h"
 #include "tools/osm/outer_ways.h"
 #include "tools/osm/packed_map.h"
@@ -52,6 +54,7 @@ class Places : public osmium::handler::Handler {
   void node(const osmium::Node& node) {
     if (sorted_) throw osmium::out_of_order_error("a node behind a way", node.id());
     if (!node.location().valid()) return;
+    if (!select_tags(node.tags(), selection_).empty()) points.insert(node.id());
     (node.id() < 0 ? of_editor_ : places_).set(node.positive_id(), node.location());
   }
 
@@ -75,6 +78,7 @@ class Places : public osmium::handler::Handler {
 
   std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
   std::unordered_set<osmium::object_id_type> closed_ways, open_ways;  // that are selected
+  std::unordered_set<osmium::object_id_type> points;                  // that are selected
 
  private:
   // A reference may be any number, and the smallest has no opposite among the signed ones.
@@ -149,6 +153,18 @@ class RelationGate : public osmium::handler::Handler {
       ++unsound;
       return;
     }
+    if (is_building_relation(relation)) {
+      const osmium::memory::Buffer outline = make_outline_multipolygon(relation);
+      hand_on(outline.get<osmium::Relation>(0));
+    } else {
+      hand_on(relation);
+    }
+  }
+
+  std::size_t unsound = 0;  // relations
+
+ private:
+  void hand_on(const osmium::Relation& relation) {
     constexpr std::size_t max_uses = 64;
     std::size_t uses = 0;
     if (manager_.new_relation(relation))
@@ -161,9 +177,6 @@ class RelationGate : public osmium::handler::Handler {
       manager_.relation(relation);
   }
 
-  std::size_t unsound = 0;  // relations
-
- private:
   // libosmium marks members that are none of an area's by the number 0, and leaves a way of that
   // number out of a list that it then reads as long as with it.
   static bool names_way_zero(const osmium::Relation& relation) {
@@ -219,6 +232,9 @@ class Collector : public osmium::handler::Handler {
       return;
     }
     if (!whole.rings.empty()) made.push_back(std::move(whole));
+    if (selection_.day)
+      areas.gone += std::erase_if(
+          made, [&](const MapArea& one) { return is_gone(one.tags, *selection_.day); });
     if (from_way) made_ways_.insert(area.orig_id());
     // A history has several versions of an area: the newest counts.
     std::vector<MapArea>& list = areas.areas;
@@ -281,6 +297,19 @@ class Collector : public osmium::handler::Handler {
   std::unordered_set<osmium::object_id_type> made_ways_;
 };
 
+// Returns how many nodes of a document are selected.
+std::size_t count_points(const pugi::xml_node& root, const AreaSelection& selection) {
+  std::size_t count = 0;
+  for (const pugi::xml_node& node : root.children("node")) {
+    if (!node.child("tag") || read_version(node).deleted) continue;
+    const OsmTags tags = read_tags(node);
+    const auto is_said = [&](const std::string& key) { return tags.contains(key); };
+    count += std::any_of(selection.keys.begin(), selection.keys.end(), is_said) &&
+             (!selection.wants || selection.wants(tags));
+  }
+  return count;
+}
+
 template <class Work>
 auto guard(const std::filesystem::path& file, const Work& work) {
   try {
@@ -313,7 +342,9 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
   Places places(selection);
   Collector collector(selection, outer_ways);
   const auto collect = [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, collector); };
+  std::size_t points = 0;
   if (const auto document = find_osm_document(file)) {
+    points = count_points(document->child("osm"), selection);
     ArrangedMap map = arrange_map(document->child("osm"));
     osmium::apply(map.relations, gate);
     manager.prepare_for_lookup();
@@ -334,6 +365,7 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
     reader.close();
   }
   MapAreas areas = std::move(collector).finish(places, too_long);
+  areas.points = points + places.points.size();
   std::size_t incomplete = 0;
   manager.for_each_incomplete_relation([&](const osmium::relations::RelationHandle& handle) {
     incomplete += has_key(handle->tags(), selection);

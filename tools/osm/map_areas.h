@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/osm/days.h"
 #include "tools/osm/osm_data.h"
 
 namespace nightcity::osm {
@@ -28,6 +30,7 @@ struct MapArea {
 struct AreaSelection {
   std::vector<std::string> keys;
   std::function<bool(const OsmTags&)> wants{};
+  std::optional<Day> day{};  // what is gone then or not built yet is left out and counted
 };
 
 struct MapAreas {
@@ -36,9 +39,12 @@ struct MapAreas {
   std::size_t open_ways = 0;   // ways that were selected and are not closed
   // Ways and multipolygons of more than `max_nodes`, or of a way that 64 have had before.
   std::size_t too_long = 0;
+  std::size_t gone = 0;    // areas that are not there on the selection's day
+  std::size_t points = 0;  // nodes that were selected, which have no outline
 };
 
-/// Reads all areas that are selected, of several versions of one the newest. Memory grows with them
+/// Reads all areas that are selected, of several versions of one the newest. A relation of
+/// type=building with selected tags is its outline. Memory grows with them
 /// and with the nodes of the map. Areas whose ways have more than `max_nodes` nodes together are
 /// left out, because the time that it takes to assemble rings grows with their square, and so are
 /// multipolygons beyond the 64th of one way. Throws Error: missing or broken.

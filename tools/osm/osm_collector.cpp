@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tools/osm/crowded_streets.h"
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/resolution.h"
 
@@ -47,6 +48,11 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
   if (!on_globe(lon_lat)) return count_bad_node();
   ++nodes_;
   places_.push_back({key, version.rank(), to_steps(lon_lat.x), to_steps(lon_lat.y)});
+  if (is_gone(tags, today_) && !is_lamp(tags)) {
+    data_.gone += may_shine(tags) || is_control(tags) || is_crossing(tags) || is_square(tags) ||
+                  is_tree(tags) || is_gate(tags);
+    return;
+  }
   if (may_shine(tags)) things_.push_back({{id, false, {lon_lat}, tags}, key, version.rank()});
   if (is_control(tags)) controls_.push_back({{lon_lat, tags}, key, version.rank()});
   if (is_crossing(tags)) crossings_.push_back({{lon_lat, tags}, key, version.rank()});
@@ -68,6 +74,10 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags) &&
       !is_barrier(tags) && !is_railway(tags) && !may_shine(tags))
     return;
+  if (is_gone(tags, today_) && !is_lamp(tags)) {
+    ++data_.gone;
+    return;
+  }
   if (nodes.size() > max_way_nodes_) {
     ++data_.long_ways;
     return;

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "tools/osm/days.h"
 #include "tools/osm/osm_data.h"
+#include "tools/today.h"
 
 namespace nightcity::osm {
 
@@ -43,7 +45,8 @@ class OsmCollector {
   /// same in one file only.
   void begin_file() { ++file_; }
 
-  /// `tags` may be empty. Coordinates in degrees; nodes that are not finite or off the globe are
+  /// What is gone today or not built yet is left out and counted; lamps say themselves why they do
+  /// not shine. `tags` may be empty. Coordinates in degrees; nodes that are not finite or off the globe are
   /// counted and skipped, except for deleted ones.
   void add_node(std::int64_t id, OsmVersion version, const glm::dvec2& lon_lat, OsmTags tags);
   void count_bad_node() { ++nodes_, ++data_.bad_coordinates; }
@@ -108,6 +111,7 @@ class OsmCollector {
 
   OsmData data_;
   std::size_t max_way_nodes_;
+  Day today_ = today();
   std::size_t nodes_ = 0;
   std::uint32_t file_ = 0;
   std::vector<Place> places_;

@@ -75,6 +75,7 @@ struct OsmData {
   std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version
   std::size_t long_ways = 0;     // left out: of more nodes than a reader's limit
   std::size_t crowded_ways = 0;  // left out: streets and tracks beyond max_streets_at_node
+  std::size_t gone = 0;  // left out: what is gone or not built yet (lifecycle.h), lamps excepted
   std::vector<std::string> remarks;  // of the server that made the file
 };
 

@@ -43,7 +43,6 @@ constexpr double foot_m = 0.3048, inch_m = 0.0254;
 std::optional<double> find_metres_per(string_view unit) {
   static const std::unordered_map<string_view, double> table{{"", 1},
                                                              {"m", 1},
-                                                             {"m.", 1},
                                                              {"mt", 1},
                                                              {"mts", 1},
                                                              {"mtr", 1},
@@ -61,12 +60,10 @@ std::optional<double> find_metres_per(string_view unit) {
                                                              {"dm", 0.1},
                                                              {"km", 1000},
                                                              {"ft", foot_m},
-                                                             {"ft.", foot_m},
                                                              {"foot", foot_m},
                                                              {"feet", foot_m},
                                                              {"'", foot_m},
                                                              {"in", inch_m},
-                                                             {"in.", inch_m},
                                                              {"inch", inch_m},
                                                              {"inches", inch_m},
                                                              {"\"", inch_m},
@@ -74,6 +71,7 @@ std::optional<double> find_metres_per(string_view unit) {
                                                              {"yd", 3 * foot_m},
                                                              {"yard", 3 * foot_m},
                                                              {"yards", 3 * foot_m}};
+  if (unit.ends_with('.')) unit.remove_suffix(1);
   const auto found = table.find(unit);
   return found == table.end() ? std::nullopt : std::optional(found->second);
 }

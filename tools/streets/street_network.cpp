@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/tag_values.h"
+#include "tools/today.h"
 
 namespace nightcity::streets {
 namespace {
@@ -202,6 +204,7 @@ std::string why_unlit(const osm::OsmWay& way) {
       !one_of(tag(way, "indoor"), {"", "no"}) || highway == "corridor" ||
       tag(way, "layer").starts_with("_"))
     return "tunnel or under cover";
+  if (osm::is_out_of_use(way.tags, today())) return "disused";
   if (tag(way, "area") == "yes") return "square mapped as an area";
   if (one_of(tag(way, "footway"), {"sidewalk", "crossing", "traffic_island", "access_aisle"}) ||
       one_of(tag(way, "cycleway"), {"crossing", "sidewalk", "sidepath"}) ||

@@ -119,6 +119,7 @@ void look_at_raster(SurveyedFile& file) {
   file.has_crs = model.has_crs();
   file.what = fmt::format("raster of heights, one every {:.3g} m{}", model.resolution_m(),
                           file.has_crs ? "" : ", names no CRS: that of the city is taken");
+  if (!model.assumption().empty()) file.what += ", " + model.assumption();
 }
 
 void look_at_luminaire(SurveyedFile& file, const std::string& format) {

@@ -19,6 +19,7 @@
 #include "formats/input_file.h"
 #include "formats/packed_file.h"
 #include "tools/city/attributes.h"
+#include "tools/city/foreign_format.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/height_unit.h"
 #include "tools/terrain/raster_formats.h"
@@ -35,6 +36,25 @@ bool is_fill_value(double stored, double metres) {
   constexpr double lowest = -9'900, highest = 9'000;
   if (!(metres > lowest && metres < highest)) return true;
   return metres < lowest_land && city::is_sentinel(stored);
+}
+
+// Tells the ends of a type of whole numbers, which producers write where they know nothing, from
+// heights that a scale makes of others: -32768 in centimetres would be a pit of 328 m. 0 is a height.
+bool is_end_of_type(double stored, GDALDataType type) {
+  switch (type) {
+    case GDT_Int16:
+      return stored == std::numeric_limits<std::int16_t>::min() ||
+             stored == std::numeric_limits<std::int16_t>::max();
+    case GDT_UInt16:
+      return stored == std::numeric_limits<std::uint16_t>::max();
+    case GDT_Int32:
+      return stored == std::numeric_limits<std::int32_t>::min() ||
+             stored == std::numeric_limits<std::int32_t>::max();
+    case GDT_UInt32:
+      return stored == std::numeric_limits<std::uint32_t>::max();
+    default:
+      return false;
+  }
 }
 
 // Colours are no heights, though the numbers of a picture can be read as such.
@@ -74,7 +94,7 @@ void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& n
 
 // Returns what GDAL said or, where it knows nothing of the file, what that is.
 std::string explain_unread(const std::filesystem::path& file) {
-  std::array<char, 512> bytes{};
+  std::array<char, 4096> bytes{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
@@ -83,9 +103,10 @@ std::string explain_unread(const std::filesystem::path& file) {
   if (start.starts_with("PK\x03\x04")) return "it is a zip archive: unpack it first";
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
-  const std::string said = CPLGetLastErrorMsg();
-  return said.empty() ? "it is in none of the formats of rasters that are read (GeoTIFF, ...)"
-                      : said;
+  if (const std::string said = CPLGetLastErrorMsg(); !said.empty()) return said;
+  if (const std::string what = city::name_foreign(start, ""); !what.empty())
+    return "it " + what + "; a raster of heights is a GeoTIFF, say";
+  return "it is in none of the formats of rasters that are read (GeoTIFF, ...)";
 }
 
 }  // namespace
@@ -99,6 +120,7 @@ struct ElevationModel::State {
   bool in_degrees = false;
   double resolution = 0, scale = 1, offset = 0, no_data = nothing;
   double unit = 1;  // metres in the unit of heights; negative where they are depths
+  std::string assumption;
   std::unique_ptr<OGRCoordinateTransformation> transformation;
 
   // Returns pixel coordinates; (0, 0) is the first pixel's centre.
@@ -163,6 +185,10 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   if (const double value = s.band->GetOffset(&said); said) s.offset = value;
 
   s.unit = find_height_unit(*s.band, s.dataset->GetSpatialRef(), s.name);
+  if (assumes_metres(*s.band, s.dataset->GetSpatialRef()))
+    s.assumption = "heights of " + file.filename().string() +
+                   " taken as metres, of which its CRS, which counts feet, says nothing "
+                   "(gdal_edit.py -units ft says that they are feet)";
   if (counts_downward(s.dataset->GetSpatialRef())) s.unit = -s.unit;
 
   double unit_m = 1;
@@ -186,6 +212,10 @@ ElevationModel::ElevationModel(ElevationModel&&) noexcept = default;
 
 bool ElevationModel::has_crs() const {
   return state_->transformation != nullptr;
+}
+
+const std::string& ElevationModel::assumption() const {
+  return state_->assumption;
 }
 
 double ElevationModel::resolution_m() const {
@@ -226,10 +256,11 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
     for (std::size_t i = 0; i < seen.size(); ++i)
       if (seen[i] == 0) window[i] = nothing;
   }
+  const GDALDataType type = band->GetRasterDataType();
   const auto value = [&](double x, double y) {
     const std::size_t at = static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(columns) +
                            static_cast<std::size_t>(x - low.x);
-    if (is_no_data(window[at])) return nothing;
+    if (is_no_data(window[at]) || is_end_of_type(window[at], type)) return nothing;
     const double metres = (window[at] * scale + offset) * unit;
     return is_fill_value(window[at], metres) ? nothing : metres;
   };

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace nightcity::terrain {
 
@@ -25,6 +26,9 @@ class ElevationModel {
   /// Returns whether the raster names a CRS. Without one, its coordinates are taken to be the
   /// caller's.
   bool has_crs() const;
+  /// Returns what is assumed about the heights and may be wrong, for a report: that they are metres
+  /// where the CRS counts feet in the plan and names no unit of heights. Else "".
+  const std::string& assumption() const;
   /// Returns the distance of neighbouring heights, m (north-south, for a raster in degrees).
   double resolution_m() const;
 

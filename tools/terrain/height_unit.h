@@ -14,6 +14,10 @@ namespace nightcity::terrain {
 double find_height_unit(GDALRasterBand& band, const OGRSpatialReference* crs,
                         const std::string& file);
 
+/// Returns whether nothing names a unit of heights while the plan of `crs` (may be null) is in
+/// another than metres: such heights are often in that unit too, and often in metres.
+bool assumes_metres(GDALRasterBand& band, const OGRSpatialReference* crs);
+
 /// Returns whether the vertical part of `crs` (may be null) counts depths and no heights.
 bool counts_downward(const OGRSpatialReference* crs);
 

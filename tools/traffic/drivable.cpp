@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "tools/osm/lifecycle.h"
 #include "tools/osm/tag_values.h"
+#include "tools/today.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -43,6 +45,7 @@ bool is_closed(const osm::OsmWay& way) {
 
 std::string reason_against(const osm::OsmWay& way) {
   if (is_closed(way)) return "no access";
+  if (osm::is_out_of_use(way.tags, today())) return "disused";
   if (tag(way, "area") == "yes") return "area";
   if (tag(way, "highway") == "service" && !one_of(tag(way, "service"), {"", "alley"}))
     return "driveway or aisle";

@@ -653,6 +653,18 @@ TEST(Bake, AMapAloneGivesItsBuildingsTheirWindowsAndLamps) {
   recipe.osm.buildings = true;
   recipe.terrain.elevation_models = {folder / "heights.tif"};
   EXPECT_THROW(bake(recipe, folder / "out"), Error) << "the model is asked for: it is not there";
+  // Heights in a file that says neither where nor in which CRS they are.
+  write_text(folder / "heights.asc",
+             "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n30 30\n30 30\n");
+  recipe.terrain.elevation_models = {folder / "heights.asc"};
+  try {
+    bake(recipe, folder / "out");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("heights.asc: names no CRS"), std::string::npos)
+        << error.what();
+    EXPECT_NE(std::string(error.what()).find("gdal_edit.py -a_srs"), std::string::npos);
+  }
   recipe.terrain.elevation_models.clear();
   write_text(folder / "map.osm", map_of_houses("leisure"));
   try {

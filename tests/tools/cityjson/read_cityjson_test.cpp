@@ -98,6 +98,18 @@ TEST(CityJson, NamesOfReferenceSystemsKeepNoPromiseOfAxes) {
   EXPECT_EQ(srs_name("a local grid"), "a local grid");
 }
 
+TEST(CityJson, AReferenceSystemThatIsANumberIsACodeAndOthersAreCounted) {
+  const auto read = [](const std::string& system) {
+    return read_city(
+               "{\"type\":\"CityJSON\",\"version\":\"1.0\",\"metadata\":{\"referenceSystem\":" +
+               system + "},\"CityObjects\":{},\"vertices\":[]}")
+        .report;
+  };
+  EXPECT_EQ(read("28992").srs_name, "28992");
+  EXPECT_TRUE(read("28992").skipped.empty());
+  EXPECT_EQ(read("{\"type\":\"ProjectedCRS\"}").skipped.at("referenceSystem that is no text"), 1u);
+}
+
 TEST(CityJson, TheFinestOfRefinedLevelsIsTaken) {
   const std::string square =
       "{\"type\":\"MultiSurface\",\"lod\":\"0\",\"boundaries\":[[[0,1,2,3]]]}";

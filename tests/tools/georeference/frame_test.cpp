@@ -282,6 +282,21 @@ TEST(Frame, FeetBecomeMetresInAllThreeAxes) {
   expect_near(frame.from_lon_lat(lon_lat), {p.x, p.y}, 1e-3);
 }
 
+// The register itself counts west and south there: a file that does so keeps its name's promise.
+TEST(Frame, GridsThatCountWestAndSouthAreNoContradiction) {
+  const CityFrame africa = frame_of("urn:ogc:def:crs:EPSG::2053",
+                                    box_rings(94952.872, 2899340.048, 1500, 10)),
+                  prague = frame_of("urn:ogc:def:crs:EPSG::5513",
+                                    swapped(box_rings(743000, 1043000, 200, 10)));
+  for (const CityFrame* frame : {&africa, &prague}) {
+    EXPECT_EQ(frame->axis_warning(), "");
+    EXPECT_NE(frame->description().find("in the EPSG register's order"), std::string::npos)
+        << frame->description();
+  }
+  const glm::dvec3 place = project(africa, {94952.872, 2899340.048, 1500});
+  expect_near(africa.to_lon_lat({place.x, place.y}), {28.05, -26.2}, 1e-6);
+}
+
 TEST(Frame, KrovakInSouthAndWestIsTurned) {
   // Prague: EPSG:5514 east, north is about (-743000, -1043000); old files hold the positive
   // numbers.

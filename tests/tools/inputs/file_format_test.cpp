@@ -112,6 +112,9 @@ TEST(FileFormat, WhatAnArchiveHoldsIsSaidOfItsEntry) {
                     text = reason_for(zipped("../b.gml", "hello"), ".zip");
   EXPECT_NE(other.find("/a/b.gml: is XML of another kind"), std::string::npos) << other;
   EXPECT_NE(text.find("/../b.gml: is of no format"), std::string::npos) << text;
+  const std::string map = reason_for(zipped("m/berlin.osm", "<osm version='0.6'/>"), ".zip");
+  EXPECT_NE(map.find(", but m/berlin.osm: unpack it and name what is inside"), std::string::npos)
+      << map;
 }
 
 TEST(FileFormat, HiddenEntriesOfAnArchiveAreNoCities) {

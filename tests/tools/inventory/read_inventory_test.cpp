@@ -6,6 +6,7 @@
 #include <ogrsf_frmts.h>
 
 #include <functional>
+#include <tuple>
 
 #include "formats/error.h"
 #include "support/data.h"
@@ -106,11 +107,125 @@ TEST(Inventory, AHeadingNamesTheUnitOfItsNumbers) {
                                               {"light:lumens", "4500 lm"},
                                               {"light:power", "70 W"},
                                               {"operational_status", "true"}}));
+  for (const auto& [heading, value, text] : {std::tuple("HeightFeet", "30", "30 ft"),
+                                             {"MOUNT_HT_FT", "30", "30 ft"},
+                                             {"Mast (dm)", "80", "80 dm"},
+                                             {"MastHeight", "8", "8"},
+                                             {"HEIGHT", "8", "8"}}) {
+    write_text(folder / "lamps.csv",
+               "lon,lat," + std::string(heading) + "\n13.4,52.5," + value + "\n");
+    file.columns = {{"height", heading}};
+    EXPECT_EQ(read_inventory(file).lamps.at(0).tags.at("height"), text) << heading;
+  }
   // The words in brackets are no unit of this column, or part of a word.
   write_text(folder / "lamps.csv", "lon,lat,Height (new),soft\n13.4,52.5,8,4500\n");
   file.columns = {{"height", "Height (new)"}, {"lumens", "soft"}};
   EXPECT_EQ(read_inventory(file).lamps.at(0).tags,
             (osm::OsmTags{{"height", "8"}, {"light:lumens", "4500"}}));
+}
+
+TEST(Inventory, ACsvMayTellExcelItsSeparator) {
+  const TempFolder folder;
+  for (const char* start : {"sep=;\n", "SEP=;\r\n", "\xef\xbb\xbfsep=;\r\n"}) {
+    write_text(folder / "lamps.csv", start + std::string("lat;lon;h\n52,5;13,4;8\n"));
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:4326";
+    file.columns = {{"height", "h"}};
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 1u) << start;
+    EXPECT_NEAR(read.lamps[0].lon_lat.x, 13.4, 1e-9) << start;
+    EXPECT_EQ(read.lamps[0].tags.at("height"), "8") << start;
+  }
+}
+
+// 95 km east of the false origin at longitude 29, and 2,899,340 m south of the equator.
+TEST(Inventory, GridsThatCountWestAndSouthAreReadInEitherSign) {
+  const TempFolder folder;
+  for (const char* place :
+       {"94952.872,2899340.048", "-94952.872,-2899340.048", "2899340.048,94952.872"}) {
+    write_text(folder / "lamps.csv", "x,y,h\n" + std::string(place) + ",8\n");
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:2053";
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 1u) << place;
+    EXPECT_NEAR(read.lamps[0].lon_lat.x, 28.05, 1e-6) << place;
+    EXPECT_NEAR(read.lamps[0].lon_lat.y, -26.2, 1e-6) << place;
+  }
+}
+
+TEST(Inventory, RowsThatTheServerLeftOutAreTold) {
+  const TempFolder folder;
+  const auto incomplete = [&](const std::string& said, const std::string& behind = "") {
+    write_text(folder / "lamps.geojson",
+               "{\"type\":\"FeatureCollection\"," + said +
+                   "\"features\":[{\"type\":\"Feature\",\"properties\":{},\"geometry\":{\"type\":"
+                   "\"Point\",\"coordinates\":[13.4,52.5]}}]" +
+                   behind + "}");
+    InventoryFile file;
+    file.file = folder / "lamps.geojson";
+    return read_inventory(file).report.incomplete;
+  };
+  EXPECT_EQ(incomplete(""), "");
+  EXPECT_EQ(incomplete("\"exceededTransferLimit\":false,"), "");
+  EXPECT_EQ(incomplete("\"numberMatched\":1,\"numberReturned\":1,"), "");
+  EXPECT_NE(incomplete("\"exceededTransferLimit\" : true,").find("exceededTransferLimit"),
+            std::string::npos);
+  EXPECT_NE(
+      incomplete("\"properties\":{\"exceededTransferLimit\":true},").find("a part of its rows"),
+      std::string::npos);
+  EXPECT_NE(incomplete("", ",\"numberMatched\":500,\"numberReturned\":1").find("1 of its 500 rows"),
+            std::string::npos);
+}
+
+TEST(Inventory, CoordinatesOfAGridMayStandInGroupsOfDigits) {
+  const TempFolder folder;
+  for (const char* row : {"2'600'000;1'200'000", "2 600 000,0;1 200 000,0",
+                          "2.600.000,0;1.200.000,0", "2600000;1'200'000"}) {
+    write_text(folder / "lamps.csv", "E;N;h\n" + std::string(row) + ";8\n");
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:2056";
+    file.x = "E";
+    file.y = "N";
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 1u) << row;
+    // The old observatory of Bern, of which the grid counts (swisstopo).
+    EXPECT_NEAR(read.lamps[0].lon_lat.x, 7.43864, 1e-4) << row;
+    EXPECT_NEAR(read.lamps[0].lon_lat.y, 46.95108, 1e-4) << row;
+  }
+}
+
+TEST(Inventory, KrovaksGridIsReadInEitherSign) {
+  const TempFolder folder;
+  const auto place = [&](const std::string& text) {
+    write_text(folder / "lamps.csv", "x,y,h\n" + text + ",8\n");
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:5514";
+    return read_inventory(file).lamps.at(0).lon_lat;
+  };
+  const glm::dvec2 prague = place("-743000,-1043000");
+  EXPECT_NEAR(prague.x, 14.42, 0.02);
+  EXPECT_NEAR(prague.y, 50.08, 0.02);
+  EXPECT_EQ(place("743000,1043000"), prague);
+  EXPECT_EQ(place("1043000,743000"), prague);
+}
+
+TEST(Inventory, PointsInACollectionAreLamps) {
+  const TempFolder folder;
+  write_text(folder / "lamps.geojson",
+             R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
+      "geometry":{"type":"GeometryCollection","geometries":[
+      {"type":"Point","coordinates":[13.4,52.5]},
+      {"type":"LineString","coordinates":[[13.4,52.5],[13.5,52.5]]},
+      {"type":"MultiPoint","coordinates":[[13.41,52.5]]}]}}]})");
+  InventoryFile file;
+  file.file = folder / "lamps.geojson";
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 2u);
+  EXPECT_NEAR(read.lamps[1].lon_lat.x, 13.41, 1e-9);
 }
 
 TEST(Inventory, LatitudeAndLongitudeMayStandInOneColumn) {
@@ -412,6 +527,17 @@ TEST(Inventory, WhatCannotBeReadIsAnErrorWithARemedy) {
             std::string::npos)
       << error("a.geojson", three_lamps);
   EXPECT_NE(error("b.zip", "PK\x03\x04").find("unpack it first"), std::string::npos);
+  EXPECT_NE(error("e.geojson", "").find("it is empty"), std::string::npos);
+  EXPECT_NE(error("e.geojson", "<!DOCTYPE html><html/>").find("it is a web page"),
+            std::string::npos);
+  EXPECT_NE(error("e.kml", "<kml xmlns=\"k\"><Document/></kml>").find("it is KML; a table can be"),
+            std::string::npos);
+  EXPECT_NE(error("e.json", "{\"error\":{\"code\":400}}").find("reports an error"),
+            std::string::npos);
+  EXPECT_NE(error("e.json", "{\"type\":\"Topology\",\"arcs\":[]}").find("it is TopoJSON"),
+            std::string::npos);
+  EXPECT_NE(error("e.osm", "<osm version=\"0.6\"/>").find("belongs in [osm] files"),
+            std::string::npos);
   EXPECT_NE(error("c.vrt",
                   "<OGRVRTDataSource><OGRVRTLayer name=\"x\"><SrcDataSource>/etc/passwd"
                   "</SrcDataSource></OGRVRTLayer></OGRVRTDataSource>")

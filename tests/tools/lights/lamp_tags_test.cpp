@@ -151,6 +151,19 @@ TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
       {{{"construction", "9998"}}, ""},
       {{{"disused", "no"}}, ""},
       {{{"operational_status", "dismantled"}}, "broken"},
+      {{{"operational_status", "Retired"}}, "broken"},
+      {{{"operational_status", "Abandoned In Place"}}, "broken"},
+      {{{"operational_status", "not in service"}}, "broken"},
+      {{{"operational_status",
+         "Au\xc3\x9f"
+         "er Betrieb"}},
+       "broken"},
+      {{{"operational_status", "operational;damaged"}}, "broken"},
+      {{{"operational_status", "planned"}}, "broken"},
+      {{{"operational_status", "In Service"}}, ""},
+      {{{"operational_status", "Existing"}}, ""},
+      {{{"end_date", "2010-05-03T12:00:00Z"}}, "end_date past"},
+      {{{"opening_date", "9998-01-01"}}, "start_date ahead"},
       {{{"location", "underground"}}, "underground"},
       {{{"level", "-1"}}, "underground"},
       {{{"level", "0"}}, ""},
@@ -163,6 +176,8 @@ TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
     EXPECT_EQ(lamp.unlit, outage[0] != 0);
     EXPECT_TRUE(lamp.unread.empty());
   }
+  EXPECT_EQ(read_lamp_tags({{"operational_status", "In Service"}, {"start_date", "soon"}}).unread,
+            (std::map<std::string, std::size_t>{{"start_date=soon", 1}}));
   EXPECT_EQ(read_lamp_tags({{"operational_status", "wobbly"}, {"end_date", "soon"}}).unread.size(),
             2u);
 }

@@ -77,6 +77,15 @@ TEST_F(LuminaireForms, FileGenerationTypeOfLm63In2019IsNoFactor) {
               0.9 * 0.95 * hemisphere_lm, 1e-9);
 }
 
+TEST_F(LuminaireForms, AZeroInThePlaceForFutureUseIsNoFactor) {
+  for (const char* edition : {"IESNA:LM-63-1995", "IESNA:LM-63-2002"})
+    EXPECT_NEAR(flux(ies("4 1 1", even, "0.9 0 50", "TILT=NONE\n", edition)), 0.9 * hemisphere_lm,
+                1e-9);
+  EXPECT_NE(error_of(ies("4 1 1", even, "0.9 0 50", "TILT=NONE\n", "IESNA91"))
+                .find("factors must be above zero"),
+            std::string::npos);
+}
+
 TEST(Lm63Year, IsReadFromEverySpellingOfTheFirstLine) {
   EXPECT_EQ(find_lm63_year("IES:LM-63-2019"), 2019);
   EXPECT_EQ(find_lm63_year("IESNA:LM-63-2019"), 2019);
@@ -290,12 +299,35 @@ TEST_F(LuminaireForms, EulumdatEndsAtItsLastAngleToo) {
   EXPECT_EQ(uplight_share(luminaire.photometry()), 0);
 }
 
+TEST_F(LuminaireForms, EulumdatMayLeaveLinesBlankThatTheLightDoesNotNeed) {
+  std::string text = ldt("0\n30\n60\n90\n", 4, "100\n100\n100\n100\n");
+  const auto blank = [&](const std::string& what, const std::string& with) {
+    const std::size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    text.replace(at, what.size(), with);
+  };
+  blank("4\n30\nreport", "4\n\nreport");            // the distance of gamma angles
+  blank("500\n200\n0\n0\n0\n0\n", "\n\n\n\n\n\n");  // the luminous area
+  blank("100\n100\n1\n0\n1\n1\nLED", "\n\n\n\n1\n\nLED");
+  const Luminaire luminaire = read(text, "a.ldt");
+  EXPECT_NEAR(luminaire.flux_lm, hemisphere_lm, 1e-6);
+  EXPECT_EQ(luminaire.length_m, 0);
+  EXPECT_EQ(luminaire.stated_flux_lm, 0);
+  EXPECT_TRUE(begins_as_eulumdat(text));
+}
+
 TEST_F(LuminaireForms, EulumdatCommasLineEndsAndRemainingNumbers) {
   const std::string text = ldt("0\n30\n60\n90\n", 4, "100,5\n100,5\n100,5\n100,5\n");
   EXPECT_NEAR(read(text, "a.ldt").flux_lm, 201 * pi, 1e-6);
   EXPECT_NEAR(read(replaced(text, "\n", "\r"), "a.ldt").flux_lm, 201 * pi, 1e-6);
   EXPECT_NE(error_of(text + "\n100\n", "a.ldt").find("numbers remain after the last intensity"),
             std::string::npos);
+}
+
+TEST_F(LuminaireForms, AFileOfAnotherKindIsNamed) {
+  EXPECT_NE(error_of("<!DOCTYPE html><html><body/></html>").find("is a web page"),
+            std::string::npos);
+  EXPECT_NE(error_of("%PDF-1.4", "a.ldt").find("is a PDF document"), std::string::npos);
 }
 
 TEST(LuminaireMarks, ContentTellsBothFormats) {

@@ -43,6 +43,18 @@ class Map {
     ways_ += tags_of(tags) + "</way>\n";
     return way;
   }
+  void add_point(double x, double y, const std::string& tags) {
+    nodes_ += "<node id=\"" + std::to_string(next_++) + "\" version=\"1\" lat=\"" +
+              write(y / lat_m) + "\" lon=\"" + write(10 + x / lon_m) + "\">" + tags_of(tags) +
+              "</node>\n";
+  }
+  void add_building_relation(int outline, int part, const std::string& tags) {
+    relations_ += "<relation id=\"" + std::to_string(next_++) +
+                  "\" version=\"1\"><member type=\"way\" ref=\"" + std::to_string(outline) +
+                  "\" role=\"outline\"/><member type=\"way\" ref=\"" + std::to_string(part) +
+                  "\" role=\"part\"/><tag k=\"type\" v=\"building\"/>" + tags_of(tags) +
+                  "</relation>\n";
+  }
   void add_multipolygon(int outer, int inner, const std::string& tags) {
     relations_ += "<relation id=\"" + std::to_string(next_++) +
                   "\" version=\"1\"><member type=\"way\" ref=\"" + std::to_string(outer) +
@@ -142,6 +154,63 @@ TEST(MapBuildings, HeightsComeFromTagsInTheirOrder) {
   EXPECT_EQ(volume_of("building=yes,location=underground"), 0);
 }
 
+TEST(MapBuildings, LevelsAndHeightsAreReadAsPeopleWriteThem) {
+  const auto height_of = [](const std::string& tags) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, "building=yes," + tags);
+    const Read result = read(map);
+    EXPECT_TRUE(result.report.assumed.empty()) << tags;
+    return volume(result.objects.at(0)) / 60;
+  };
+  expect_near(height_of("building:levels=3-4"), 10.5);
+  expect_near(height_of("building:levels=10;12"), 36);
+  expect_near(height_of("building:levels=~3"), 9);
+  expect_near(height_of("building:levels=4 floors"), 12);
+  for (const char* ground_and_four : {"G+4", "R+4", "P+4"})
+    expect_near(height_of(std::string("building:levels=") + ground_and_four), 15);
+  expect_near(height_of("building:levels:aboveground=4"), 12);
+  expect_near(height_of("height=10;12"), 12);
+  expect_near(height_of("est_height=12"), 12);
+  expect_near(height_of("height=0,building:levels=5"), 15);
+  expect_near(height_of("height=11,est_height=12"), 11);
+}
+
+TEST(MapBuildings, WordsBehindACountOfLevelsAreTold) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=yes,building:levels=3 + attic");
+  const Read result = read(map);
+  expect_near(volume(result.objects.at(0)) / 60, 9);
+  EXPECT_EQ(result.report.skipped.at("building:levels=3 + attic, of which the number is used"), 1u);
+}
+
+TEST(MapBuildings, TheOutlineOfABuildingRelationHasItsTags) {
+  for (const char* outline_tags : {"", "building=yes,height=14"}) {
+    Map map;
+    const int outline = map.add_rectangle(0, 0, 10, 6, outline_tags),
+              part = map.add_rectangle(0, 0, 5, 6, "building:part=yes,height=20");
+    map.add_building_relation(outline, part, "building=yes,height=14");
+    map.add_rectangle(50, 0, 10, 6, "building=yes,height=9");
+    const Read result = read(map);
+    ASSERT_EQ(result.objects.size(), 2u) << outline_tags;
+    double sum = 0;
+    for (const city::CityObject& object : result.objects) sum += volume(object);
+    expect_near(sum, 5 * 6 * 20 + 10 * 6 * 9);  // the part stands in place of the outline
+  }
+  Map map;
+  map.add_building_relation(map.add_rectangle(0, 0, 10, 6, ""), 99, "building=yes,height=14");
+  expect_near(volume(read(map).objects.at(0)), 10 * 6 * 14);
+}
+
+TEST(MapBuildings, BuildingsThatArePointsAreCounted) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=yes");
+  map.add_point(40, 0, "building=house");
+  map.add_point(50, 0, "natural=tree");
+  const Read result = read(map);
+  EXPECT_EQ(result.objects.size(), 1u);
+  EXPECT_EQ(result.report.skipped.at("building mapped as a point, without an outline"), 1u);
+}
+
 TEST(MapBuildings, ASpireIsRoofFromItsFootToItsTop) {
   const auto volume_of = [](const std::string& tags) {
     Map map;
@@ -200,9 +269,13 @@ TEST(MapBuildings, WhatHasEndedOrHasNotBegunIsNotBuilt) {
     return !read(map).objects.empty();
   };
   for (const char* tags :
-       {"end_date=1995", "end_date=1990s", "start_date=9998-05", "demolished=yes", "razed=yes"})
+       {"end_date=1995", "end_date=1990s", "start_date=9998-05", "demolished=yes", "razed=yes",
+        "demolished=2019", "dismantled=2015-06", "opening_date=9998",
+        "end_date=2015-06-30T12:00:00Z", "building:levels=0,building:levels:underground=2"})
     EXPECT_FALSE(is_built(tags)) << tags;
-  for (const char* tags : {"end_date=9998", "start_date=1890", "end_date=soon", "demolished=no"})
+  for (const char* tags :
+       {"end_date=9998", "start_date=1890", "end_date=soon", "demolished=no", "demolished=9998",
+        "building:levels=0,building:levels:underground=1,roof:levels=1"})
     EXPECT_TRUE(is_built(tags)) << tags;
 }
 

@@ -162,6 +162,11 @@ TEST(MapLights, APetrolStationIsLitBelowItsCanopyWhileItIsOpen) {
     EXPECT_TRUE(lamp.hours->lit_at(minute_of(3, 0)));
     EXPECT_EQ(lamp.tilt_degrees, 0);
   }
+  Thing closed = station;
+  closed.tags["disused"] = "yes";
+  const MapLightSet none = place({closed}, {}, test::make_flat_ground(), map);
+  EXPECT_TRUE(none.luminaires.empty());
+  EXPECT_EQ(none.report.left_out.at("disused or abandoned"), 1u);
   // Without a canopy the area is lit as a driveway, with less light on each square metre.
   const MapLightSet open = place({station});
   EXPECT_GT(open.luminaires.size(), set.luminaires.size());

@@ -55,6 +55,31 @@ TEST_F(OsmFile, AWayOfTooManyNodesIsLeftOutAndCounted) {
   EXPECT_EQ(read_osm(file, 99).long_ways, 1u) << "one that nothing uses does not count";
 }
 
+TEST_F(OsmFile, WhatIsNotThereTodayIsLeftOutAndCounted) {
+  const auto street = [&](const std::string& key, const std::string& value) {
+    const OsmData data = read(
+        "<node id='1' lat='1' lon='1'/><node id='2' lat='2' lon='2'/><node id='3' lat='1' "
+        "lon='1'><tag k='natural' v='tree'/><tag k='" +
+        key + "' v='" + value +
+        "'/></node><way id='1'><nd ref='1'/><nd ref='2'/><tag k='highway' "
+        "v='residential'/><tag k='" +
+        key + "' v='" + value + "'/></way>");
+    EXPECT_EQ(data.gone, 2 - data.highways.size() - data.trees.size()) << key;
+    EXPECT_EQ(data.highways.size(), data.trees.size()) << key;
+    return data.highways.size() == 1;
+  };
+  EXPECT_FALSE(street("end_date", "2015"));
+  EXPECT_FALSE(street("demolished", "2015-06"));
+  EXPECT_FALSE(street("removed", "yes"));
+  EXPECT_FALSE(street("start_date", "9998"));
+  EXPECT_FALSE(street("opening_date", "9998-05-01"));
+  EXPECT_TRUE(street("end_date", "9998"));
+  EXPECT_TRUE(street("end_date", "soon"));
+  EXPECT_TRUE(street("start_date", "C19"));
+  EXPECT_TRUE(street("demolished", "no"));
+  EXPECT_TRUE(street("disused", "yes")) << "it is there, and nobody uses it";
+}
+
 TEST_F(OsmFile, ThingsThatMayShineComeByIdWithNodesFirst) {
   const OsmData data = read(R"(
     <node id="9" lat="52.5" lon="13.4"><tag k="advertising" v="column"/></node>

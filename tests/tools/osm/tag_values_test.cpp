@@ -11,11 +11,11 @@ TEST(TagValues, LengthsInEveryUnitAndSpelling) {
   const struct {
     const char* text;
     double metres;
-  } known[] = {{"6", 6},         {"6 m", 6},     {"6m", 6},        {" 6.5 m ", 6.5},
-               {"6,5", 6.5},     {"20'", 6.096}, {"20 ft", 6.096}, {"20ft", 6.096},
-               {"12'6\"", 3.81}, {"600 cm", 6},  {"~6 m", 6},      {"6;8", 6},
-               {"5-7", 6},       {"5-7 m", 6},   {"6 meters", 6},  {"6 Metres", 6},
-               {"ca. 6 m", 6},   {"4 m; 5 m", 4}};
+  } known[] = {{"6", 6},         {"6 m", 6},      {"6m", 6},        {" 6.5 m ", 6.5},
+               {"6,5", 6.5},     {"20'", 6.096},  {"20 ft", 6.096}, {"20ft", 6.096},
+               {"12'6\"", 3.81}, {"600 cm", 6},   {"~6 m", 6},      {"6;8", 6},
+               {"5-7", 6},       {"5-7 m", 6},    {"6 meters", 6},  {"6 Metres", 6},
+               {"ca. 6 m", 6},   {"4 m; 5 m", 4}, {"8 mts.", 8}};
   for (const auto& [text, metres] : known) {
     const auto length = parse_length_m(text);
     ASSERT_TRUE(length) << text;

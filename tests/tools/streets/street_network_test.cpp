@@ -96,6 +96,9 @@ TEST(WhyUnlit, TagsDecideAndClassesDoWhereTheySayNothing) {
   EXPECT_EQ(why({{"highway", "primary"}, {"tunnel", "yes"}}), "tunnel or under cover");
   EXPECT_EQ(why({{"highway", "primary"}, {"layer", "-1"}}), "tunnel or under cover");
   EXPECT_EQ(why({{"highway", "primary"}, {"tunnel", "no"}}), "");
+  EXPECT_EQ(why({{"highway", "residential"}, {"disused", "yes"}}), "disused");
+  EXPECT_EQ(why({{"highway", "residential"}, {"abandoned", "2010"}, {"lit", "yes"}}), "disused");
+  EXPECT_EQ(why({{"highway", "residential"}, {"disused", "no"}}), "");
   EXPECT_EQ(why({{"highway", "pedestrian"}, {"area", "yes"}}), "square mapped as an area");
 }
 

@@ -128,6 +128,53 @@ TEST(ElevationModel, HeightsInFeetBecomeMetres) {
   EXPECT_THROW(ElevationModel(folder / "feet.tif"), Error);
 }
 
+TEST(ElevationModel, MetresAreSaidToBeAssumedWhereTheCrsCountsFeet) {
+  const TempFolder folder;
+  const auto assumption = [&](const char* crs, const char* unit) {
+    write_raster(folder / "dem.tif", {300000, 60000, 10, 40, 30, 25832}, whole);
+    {
+      GDALDatasetUniquePtr set = reopen(folder / "dem.tif");
+      OGRSpatialReference other;
+      other.SetFromUserInput(crs);
+      set->SetSpatialRef(&other);
+      if (*unit) set->GetRasterBand(1)->SetUnitType(unit);
+    }
+    return ElevationModel(folder / "dem.tif").assumption();
+  };
+  EXPECT_NE(assumption("EPSG:2263", "").find("dem.tif taken as metres"), std::string::npos);
+  for (const char* crs : {"EPSG:2263+6360", "EPSG:2263+5703", "EPSG:25832", "EPSG:4326"})
+    EXPECT_EQ(assumption(crs, ""), "") << crs;
+  EXPECT_EQ(assumption("EPSG:2263", "ft"), "");
+}
+
+TEST(ElevationModel, TheEndsOfATypeAreHolesWhateverItsScale) {
+  const TempFolder folder;
+  const auto heights = [&](GDALDataType type, double fill) {
+    GDALAllRegister();
+    {
+      GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+          (folder / "scaled.tif").c_str(), 3, 1, 1, type, nullptr));
+      double transform[6] = {0, 10, 0, 10, 0, -10};
+      set->SetGeoTransform(transform);
+      set->GetRasterBand(1)->SetScale(0.01);
+      double values[3] = {5000, fill, 0};
+      EXPECT_EQ(
+          set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 3, 1, values, 3, 1, GDT_Float64, 0, 0),
+          CE_None);
+    }
+    return sample(ElevationModel(folder / "scaled.tif"), {{5, 5}, {15, 5}, {25, 5}});
+  };
+  for (const auto& [type, fill] : {std::pair(GDT_Int16, -32768.0),
+                                   {GDT_Int16, 32767.0},
+                                   {GDT_UInt16, 65535.0},
+                                   {GDT_Int32, -2147483648.0}}) {
+    const auto found = heights(type, fill);
+    EXPECT_NEAR(found[0], 50, 1e-9);
+    EXPECT_TRUE(std::isnan(found[1])) << fill;
+    EXPECT_EQ(found[2], 0);
+  }
+}
+
 TEST(ElevationModel, NumbersThatStandForNoHeightAreHolesUndeclaredToo) {
   const TempFolder folder;
   const auto hole = [](int i, int) { return i == 20; };
@@ -169,6 +216,16 @@ TEST(ElevationModel, AFileOfAnotherKindIsNamed) {
   EXPECT_NE(reason("\x1f\x8b rest").find("gunzip"), std::string::npos);
   EXPECT_NE(reason("PK\x03\x04 rest").find("zip archive: unpack it"), std::string::npos);
   EXPECT_NE(reason("hello").find("none of the formats"), std::string::npos) << reason("hello");
+  const std::pair<const char*, const char*> others[] = {
+      {"<!DOCTYPE html><html><body/></html>", "it is a web page"},
+      {"version https://git-lfs.github.com/spec/v1\n", "git lfs pull"},
+      {"LASF rest", "it is a point cloud (LAS, LAZ); a raster"},
+      {"<?xml version=\"1.0\"?><CityModel xmlns=\"http://www.opengis.net/citygml/2.0\"/>",
+       "it is a city model: it belongs in [city] files"},
+      {"<Dataset xmlns=\"http://fgd.gsi.go.jp/spec/2008/FGD_GMLSchema\"><DEM/></Dataset>",
+       "convert it to GeoTIFF"}};
+  for (const auto& [text, words] : others)
+    EXPECT_NE(reason(text).find(words), std::string::npos) << reason(text);
 }
 
 TEST(ElevationModel, MasksAndAlphaBandsAreHoles) {

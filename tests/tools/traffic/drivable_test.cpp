@@ -84,6 +84,7 @@ TEST(Drivable, WhatIsNotForThePublicIsLeftOut) {
   EXPECT_EQ(refusal({{"highway", "proposed"}}), "not for motor vehicles");
   EXPECT_EQ(refusal({{"highway", "residential"}, {"access", "private"}}), "no access");
   EXPECT_EQ(refusal({{"highway", "residential"}, {"motor_vehicle", "no"}}), "no access");
+  EXPECT_EQ(refusal({{"highway", "residential"}, {"disused", "yes"}}), "disused");
   EXPECT_EQ(refusal({{"highway", "service"}, {"service", "driveway"}}), "driveway or aisle");
   EXPECT_EQ(refusal({{"highway", "service"}, {"tunnel", "building_passage"}}),
             "through a building");

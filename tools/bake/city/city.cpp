@@ -28,6 +28,7 @@
 #include "tools/osm/read_osm.h"
 #include "tools/roads/parking_lane.h"
 #include "tools/streets/street_ways.h"
+#include "tools/today.h"
 #include "tools/traffic/country.h"
 
 namespace nightcity::bake {
@@ -79,6 +80,11 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
     fmt::print(stderr,
                "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
                inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
+  if (map_.gone > 0)
+    fmt::print(stderr,
+               "note: {}: {} elements left out: they are gone or not built yet (end_date, "
+               "demolished, start_date, ...)\n",
+               inputs_.maps.front().string(), map_.gone);
   if (map_.crowded_ways > 0)
     fmt::print(
         stderr,
@@ -186,12 +192,15 @@ void City::fill_gaps(std::initializer_list<CityConsumer*> consumers) {
 void City::add_land(const ground_cover::Box& bounds) {
   std::set<std::string> known;  // an area that is in several maps counts once
   for (const auto& map : inputs_.maps) {
-    osm::MapAreas land = osm::read_map_areas(map, ground_cover::select_land(),
-                                             static_cast<std::size_t>(inputs_.max_way_nodes));
+    osm::AreaSelection selection = ground_cover::select_land();
+    selection.day = today();
+    osm::MapAreas land =
+        osm::read_map_areas(map, selection, static_cast<std::size_t>(inputs_.max_way_nodes));
     std::erase_if(land.areas, [&](const auto& area) { return !known.insert(area.id).second; });
     ground_cover::add_land(land.areas, to_frame(), bounds, cover_);
     if (land.broken > 0)
       cover_.left_out["area whose outline crosses itself or is incomplete"] += land.broken;
+    if (land.gone > 0) cover_.left_out["area that is gone or not built yet"] += land.gone;
     if (land.too_long > 0)
       cover_.left_out["area of more nodes than [osm] max_way_nodes"] += land.too_long;
   }
@@ -200,10 +209,11 @@ void City::add_land(const ground_cover::Box& bounds) {
 std::vector<osm::MapArea> City::read_squares() const {
   std::set<std::string> known;
   std::vector<osm::MapArea> squares;
+  osm::AreaSelection selection = names::select_squares();
+  selection.day = today();
   for (const auto& map : inputs_.maps)
-    for (osm::MapArea& area : osm::read_map_areas(map, names::select_squares(),
-                                                  static_cast<std::size_t>(inputs_.max_way_nodes))
-                                  .areas)
+    for (osm::MapArea& area :
+         osm::read_map_areas(map, selection, static_cast<std::size_t>(inputs_.max_way_nodes)).areas)
       if (known.insert(area.id).second) squares.push_back(std::move(area));
   return squares;
 }

@@ -297,7 +297,8 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
   }
   if (ground.covers_nothing())
     throw Error(options_.elevation_models.front().string(),
-                "no elevation model of the recipe covers any of the city");
+                "no elevation model of the recipe covers any of the city" +
+                    (heights.unplaced().empty() ? "" : "; " + heights.unplaced()));
   const std::string meeting =
       options_.carries_buildings ? "the map's buildings stand on it"
                                  : fmt::format("moved by {:+.2f} m to meet the buildings", shift_m);
@@ -305,9 +306,9 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
       ground.thinned() == 0 ? ""
                             : fmt::format(", {} triangles fewer by max_error_m", ground.thinned());
   return fmt::format(
-      "{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data{}",
-      options_.elevation_models.size(), ground.step_m(), meeting, ground.missing_percent(),
-      thinned);
+      "{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data{}{}",
+      options_.elevation_models.size(), ground.step_m(), meeting, ground.missing_percent(), thinned,
+      heights.assumptions());
 }
 
 }  // namespace nightcity::bake

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "formats/error.h"
 
@@ -14,6 +15,16 @@ GroundHeights::GroundHeights(const GroundOptions& options, const georeference::C
     models_.emplace_back(file, options.max_dem_block_mpx);
     if (models_.back().has_crs() && !city_.has_lon_lat())
       throw Error(file.string(), "cannot be placed under a city that names no CRS: set [city] crs");
+    constexpr const char* remedy =
+        "write its CRS into it (gdal_edit.py -a_srs EPSG:<code>) or into a .prj beside it";
+    if (!models_.back().has_crs() && options.carries_buildings)
+      throw Error(file.string(),
+                  std::string("names no CRS, and cannot be placed under a map: ") + remedy);
+    if (!models_.back().has_crs())
+      unplaced_ =
+          file.filename().string() + " names no CRS and is taken to have the city's: " + remedy;
+    if (const std::string& said = models_.back().assumption(); !said.empty())
+      assumptions_ += ", " + said;
     finest_ = std::min(finest_, models_.back().resolution_m());
   }
 }

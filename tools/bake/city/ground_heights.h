@@ -5,6 +5,7 @@
 #include <limits>
 #include <mutex>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tools/bake/city/ground_options.h"
@@ -16,11 +17,18 @@ namespace nightcity::bake {
 class GroundHeights {
  public:
   /// Opens the models. `city` must outlive the object. Throws Error as ElevationModel does, and
-  /// where a model names a CRS and the city names none.
+  /// where a model names a CRS and the city names none, or none and the city is a map, which has a
+  /// frame of its own.
   GroundHeights(const GroundOptions& options, const georeference::CityFrame& city);
 
   /// Returns the least distance of neighbouring heights of the models, m.
   double finest_m() const { return finest_; }
+
+  /// Returns what is assumed about the models and may be wrong, each behind ", ".
+  const std::string& assumptions() const { return assumptions_; }
+  /// Returns which model names no CRS, and the remedy, for the message that none covers the city; ""
+  /// where all name one.
+  const std::string& unplaced() const { return unplaced_; }
 
   /// Returns a height (m) for each place (E, N): that of the first model that has one there, NaN
   /// where none has. Places that lie together are read together. Safe to call from several threads,
@@ -31,6 +39,7 @@ class GroundHeights {
   const georeference::CityFrame& city_;
   std::vector<terrain::ElevationModel> models_;
   mutable std::mutex mutex_;  // of GDAL's datasets
+  std::string assumptions_, unplaced_;
   double finest_ = std::numeric_limits<double>::infinity();
 };
 

@@ -34,7 +34,7 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                  "more than one is taken in its newest version."),
        flag_key("buildings", osm.buildings,
                 "Without `[city] files`, the map's buildings are the city model: `building`, "
-                "`building:part`, `height`, `min_height`, `building:levels`, "
+                "`building:part`, `height`, `est_height`, `min_height`, `building:levels`, "
                 "`building:min_level`, `roof:shape` (flat, gabled, hipped, pyramidal, "
                 "skillion, gambrel, mansard, half-hipped, "
                 "saltbox, round, dome, onion, cone), `roof:height`, `roof:angle`, `roof:levels`, "

@@ -46,9 +46,11 @@ std::string counts_in_words(const Counts& left_out, const std::map<std::string, 
 }
 
 json to_json(const inventory::InventoryReport& report) {
-  return {{"file", report.file},       {"format", report.format},  {"rows", report.rows},
-          {"lamps", report.lamps},     {"joined", report.joined},  {"replaced", report.replaced},
-          {"skipped", report.skipped}, {"columns", report.columns}};
+  json made{{"file", report.file},       {"format", report.format},  {"rows", report.rows},
+            {"lamps", report.lamps},     {"joined", report.joined},  {"replaced", report.replaced},
+            {"skipped", report.skipped}, {"columns", report.columns}};
+  if (!report.incomplete.empty()) made["incomplete"] = report.incomplete;
+  return made;
 }
 
 std::string to_text(const inventory::InventoryReport& report) {
@@ -59,15 +61,21 @@ std::string to_text(const inventory::InventoryReport& report) {
     text += fmt::format(", in place of {} lamps of the map", report.replaced);
   if (!report.columns.empty()) text += "; rows with " + in_words(report.columns);
   if (!report.skipped.empty()) text += "; skipped: rows " + in_words(report.skipped);
+  if (!report.incomplete.empty()) text += "; incomplete: " + report.incomplete;
   return text;
 }
 
 }  // namespace
 
 LampReport to_report(const lights::LampSet& set, const City& city) {
-  LampReport report{
-      city.map().lamps.size(), set.lamps.size(), 0, set.left_out, set.notes, set.sources,
-      city.inventories(), {}};
+  LampReport report{city.map().lamps.size(),
+                    set.lamps.size(),
+                    0,
+                    set.left_out,
+                    set.notes,
+                    set.sources,
+                    city.inventories(),
+                    {}};
   for (const lights::PlacedLamp& lamp : set.lamps) report.total_flux_lm += lamp.flux_lm;
   return report;
 }

@@ -11,6 +11,7 @@
 #include "tools/osm/map_areas.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/random.h"
+#include "tools/today.h"
 
 namespace nightcity::bake {
 namespace {
@@ -29,7 +30,8 @@ map_lights::SolidAt find_solids(const City& city) {
 // Multipolygons as closed ways, one for each outer ring. Counts in `left_out` what has no outline.
 std::vector<osm::OsmShiningThing> read_relations(const City& city,
                                                  std::map<std::string, std::size_t>& left_out) {
-  const osm::AreaSelection selection{{"advertising", "floodlit", "lit", "amenity"}, osm::may_shine};
+  const osm::AreaSelection selection{
+      {"advertising", "floodlit", "lit", "amenity"}, osm::may_shine, today()};
   std::vector<osm::OsmShiningThing> things;
   std::set<std::string> known;  // a relation that is in several maps counts once
   for (const auto& map : city.inputs().maps) {
@@ -44,6 +46,7 @@ std::vector<osm::OsmShiningThing> read_relations(const City& city,
             {std::stoll(area.id.substr(relation.size())), true, std::move(rings.outer), area.tags});
       }
     }
+    if (read.gone > 0) left_out["gone or not built yet"] += read.gone;
     if (read.broken > 0)
       left_out["area that may be lit, with a broken or incomplete outline"] += read.broken;
   }

@@ -1,4 +1,4 @@
-#include "tools/inputs/foreign_format.h"
+#include "tools/city/foreign_format.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include "formats/packed_file.h"
 #include "formats/to_lower.h"
 
-namespace nightcity::inputs {
+namespace nightcity::city {
 namespace {
 
 using namespace std::string_view_literals;
@@ -203,6 +203,8 @@ std::string explain_foreign(std::string_view bytes, std::string_view name) {
                : "is GML, but not CityGML: its features are none of a city model; ask the portal "
                  "for "
                  "the CityGML download, or export a table of lamps as GeoJSON";
+  if (root == "dataset" && text.find("fgd.gsi.go.jp") != text.npos)
+    return "is GML of the Geospatial Information Authority of Japan: convert it to GeoTIFF first";
   for (const Root& row : roots)
     if (row.name == root) return row.explanation;
   if (to_lower(text.substr(0, 64)).starts_with("<!doctype html")) return roots[0].explanation;
@@ -210,4 +212,17 @@ std::string explain_foreign(std::string_view bytes, std::string_view name) {
   return "is XML of another kind: its root element is <" + std::string(written) + ">";
 }
 
-}  // namespace nightcity::inputs
+std::string name_foreign(std::string_view bytes, std::string_view name) {
+  const std::string root = to_lower(find_root_name(bytes));
+  if (root == "citymodel" || bytes.find("\"CityObjects\"") != bytes.npos)
+    return "is a city model: it belongs in [city] files";
+  if (root == "osm") return "is a map of OpenStreetMap: it belongs in [osm] files";
+  std::string text = explain_foreign(bytes, name);
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string::npos) return text;
+  for (const char* of_models : {"CityGML", "Wavefront OBJ", "surfaces are needed"})
+    if (text.find(of_models, colon) != std::string::npos) return text.substr(0, colon);
+  return text;
+}
+
+}  // namespace nightcity::city

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace nightcity::inputs {
+namespace nightcity::city {
 
 /// Returns the name, without prefix, of an XML document's root element; "" where `start` ends
 /// before it or is no XML.
@@ -15,4 +15,8 @@ std::string_view find_root_name(std::string_view start);
 /// where the file has them. `name`: of the file, in lower case.
 std::string explain_foreign(std::string_view bytes, std::string_view name);
 
-}  // namespace nightcity::inputs
+/// Returns the same where no city model was asked for but a table, a raster or photometry: a remedy
+/// that leads to a model is left out ("is KML").
+std::string name_foreign(std::string_view bytes, std::string_view name);
+
+}  // namespace nightcity::city
