@@ -34,7 +34,9 @@ bool has_program(const char* program) {
 class Display {
  public:
   Display()
-      : server_({"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"}) {
+      : server_({"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp",
+                 // It would begin anew when its last client goes, and refuse the next meanwhile.
+                 "-noreset"}) {
     for (int i = 0; i < 3000 && number().empty(); ++i) std::this_thread::sleep_for(10ms);
     ::setenv("DISPLAY", (":" + number()).c_str(), 1);
   }
