@@ -78,7 +78,8 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
       "city",
       "The city model.",
       {paths_key(
-           "files", city.files, folder, {.expands_folders = true}, R"(["buildings", "terrain.gml.gz"])",
+           "files", city.files, folder, {.expands_folders = true},
+           R"(["buildings", "terrain.gml.gz"])",
            "CityGML 1, 2 or 3, CityJSON 1.0 to 2.0 or CityJSONSeq and Wavefront OBJ files, plain, "
            "gzipped or zipped. Paths are relative to the recipe. A folder stands for the city "
            "files in it and "
@@ -137,6 +138,9 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        integer_key("max_polygon_points", city.read.polygon.max_points, 3, 1'000'000'000,
                    "A limit: a polygon of more points, those of its holes included, is left out "
                    "and counted. Triangulating one takes some 400 bytes a point."),
+       integer_key("max_road_points", city.max_road_points, 1, 1'000'000'000,
+                   "A limit: where streets come from the model's roads, the bake ends if their "
+                   "outlines have more points than this, 2.5 m apart. One takes some 200 bytes."),
        choice_key<city::Textures>(
            "textures", city.read.textures,
            {{"none", city::Textures::none},
