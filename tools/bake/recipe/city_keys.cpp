@@ -156,6 +156,11 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        number_key("texels_per_m", city.texels_per_m, {0.1, 100}, "",
                   "`textures = \"atlas\"`: so many texels of a picture lie along a metre of a "
                   "surface, at most. Twice as many take four times the room."),
+       integer_key("max_picture_mpx", city.max_picture_mpx, 1, 1'000'000,
+                   "A limit: `textures = \"atlas\"` lays this many millions of texels onto the "
+                   "surfaces of all objects together, each 3 bytes of the temporary folder. From "
+                   "the first object on whose pictures do not fit, surfaces keep the mean colour, "
+                   "and are counted."),
        flag_key("drop_ground", city.drop_ground,
                 "Leaves out the ground surfaces under buildings, which nobody sees."),
        flag_key("drop_hidden", city.drop_hidden,

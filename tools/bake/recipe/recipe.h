@@ -38,6 +38,7 @@ struct Recipe {
     double tile_m = 250;
     double simplify_m = 0;       // as CityInputs'
     double texels_per_m = 5;     // as CityInputs'
+    int max_picture_mpx = 2000;  // as CityInputs'
     int max_road_points = streets::default_max_road_points;
     bool drops_roads = false;
     bool drop_ground = false;
