@@ -288,7 +288,11 @@ class Bake {
 
 BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
                 const ProgressSink& progress) {
-  return Bake(options, folder, progress).run();
+  BakeOptions own = options;
+  own.tiles.picture_budget =
+      std::make_shared<PictureBudget>(std::uint64_t{1'000'000} * own.city.max_picture_mpx);
+  own.city.picture_budget = own.tiles.picture_budget;
+  return Bake(own, folder, progress).run();
 }
 
 BakeOptions make_bake_options(const Recipe& recipe) {

@@ -32,6 +32,8 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.inventories = recipe.lamps.inventories;
   inputs.simplify_m = recipe.city.simplify_m;
   inputs.texels_per_m = recipe.city.texels_per_m;
+  inputs.max_picture_mpx = recipe.city.max_picture_mpx;
+  inputs.max_road_points = recipe.city.max_road_points;
   inputs.drops_roads = recipe.city.drops_roads;
   inputs.ground = recipe.terrain;
   inputs.ground.tile_m = recipe.city.tile_m;

@@ -1,6 +1,7 @@
 // Finds boxes in the plane that meet a rectangle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -37,9 +38,11 @@ class BoxIndex {
   void add(std::uint32_t number, const Box& box);
   /// Splits squares of many boxes for find_first(), once all are added: areas as long as their
   /// square, which cross it aslant, would all be asked. `find_share(number, box)` says what an area
-  /// has of a part of the square. Lists grow to 64 times their length at most, together.
-  template <class FindShare>
-  void split_crowded(const FindShare& find_share);
+  /// has of a part of the square, `count_corners(number)` how many corners its rings have. Lists
+  /// grow to 256 times their length at most, together. Areas of more than four corners count for as
+  /// many as these make: one that winds through its square lies in as many more parts of it.
+  template <class FindShare, class CountCorners>
+  void split_crowded(const FindShare& find_share, const CountCorners& count_corners);
   /// Returns the numbers of the boxes whose squares meet a rectangle, each once, in order.
   std::vector<std::uint32_t> find(const Box& box) const;
   /// Returns the least number that `holds` accepts of the boxes whose squares hold a place, or
@@ -69,8 +72,8 @@ class BoxIndex {
   std::unordered_map<std::uint64_t, std::uint32_t> split_;  // squares: their places in parts_
 };
 
-template <class FindShare>
-void BoxIndex::split_crowded(const FindShare& find_share) {
+template <class FindShare, class CountCorners>
+void BoxIndex::split_crowded(const FindShare& find_share, const CountCorners& count_corners) {
   constexpr double finest_part_m = 1;
   struct Waiting {
     std::uint32_t part;
@@ -82,7 +85,10 @@ void BoxIndex::split_crowded(const FindShare& find_share) {
     std::vector<Waiting> waiting{
         {static_cast<std::uint32_t>(parts_.size()), find_box_of_square(key)}};
     parts_.push_back({numbers});
-    std::size_t room = 64 * numbers.size();
+    std::size_t corners = 0;
+    for (const std::uint32_t number : numbers)
+      corners += std::max<std::size_t>(count_corners(number), 4);
+    std::size_t room = 256 * (corners / 4);
     // The largest parts first, so that the room is spent evenly.
     for (std::size_t next = 0; next < waiting.size(); ++next) {
       const auto [part, box] = waiting[next];

@@ -60,8 +60,13 @@ void Cover::finish() {
   const auto share_of = [&](std::uint32_t i, const Box& box) {
     return find_share(areas_[i].rings, box);
   };
-  area_index_.split_crowded(share_of);
-  depth_index_.split_crowded(share_of);
+  const auto count_corners = [&](std::uint32_t i) {
+    std::size_t corners = 0;
+    for (const Ring& ring : areas_[i].rings) corners += ring.size();
+    return corners;
+  };
+  area_index_.split_crowded(share_of, count_corners);
+  depth_index_.split_crowded(share_of, count_corners);
   for (std::uint32_t i = 0; i < markings_.size(); ++i)
     marking_index_.add(i, find_box({markings_[i].ring}));
   std::erase_if(ramps_, [&](const RampFacet& facet) { return is_bad(facet.ring); });

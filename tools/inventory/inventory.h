@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -51,6 +52,8 @@ struct InventoryFile {
   double within_m = 5;  // a map's lamp as near as this to one of the inventory is the same lamp
   int max_lamps = 2'000'000;  // a limit: more rows end the bake
   std::string licence;
+
+  auto operator<=>(const InventoryFile&) const = default;
 };
 
 }  // namespace nightcity::inventory

@@ -1,12 +1,14 @@
 #include "tools/lights/wall_index.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
 
+#include "tools/lights/wall_crowds.h"
 #include "tools/lights/wall_plane.h"
 
 namespace nightcity::lights {
@@ -36,10 +38,24 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 
 // The walls of a cell, by bucket.
 struct WallIndex::Loaded {
-  std::vector<Wall> walls;
+  std::vector<Wall> walls;  // as WallCrowds keeps them: what blocked() asks, the others say too
   std::vector<std::uint32_t> first, inside;
+  WallCrowds crowds;
 
-  Loaded(std::vector<Wall> read, const CellKey& key) : walls(std::move(read)) {
+  Loaded(const std::vector<Wall>& read, const CellKey& key) {
+    std::vector<WallPlace> places;
+    std::vector<std::uint32_t> owners;
+    places.reserve(read.size());
+    owners.reserve(read.size());
+    for (const Wall& wall : read) {
+      const auto bits = [](float v) { return std::bit_cast<std::uint32_t>(v); };
+      places.push_back({bits(wall.ax), bits(wall.ay), bits(wall.bx), bits(wall.by), bits(wall.low),
+                        bits(wall.high), bits(wall.east), bits(wall.north)});
+      owners.push_back(wall.owner);
+    }
+    crowds = find_crowds(places, owners);
+    walls.reserve(crowds.kept.size());
+    for (const WallCrowds::Kept& kept : crowds.kept) walls.push_back(read[kept.wall]);
     first.assign(std::size_t{buckets} * buckets + 1, 0);
     for (const Wall& wall : walls) visit(wall, key, [&](std::size_t b) { ++first[b + 1]; });
     for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
@@ -50,7 +66,13 @@ struct WallIndex::Loaded {
   }
 
   /// Memory used, in walls.
-  std::size_t cost() const { return walls.size() + inside.size() / 8 + 16; }
+  std::size_t cost() const { return walls.size() + (inside.size() + crowds.size()) / 8 + 16; }
+
+  /// Returns whether the owner has a wall where that one of `walls` stands.
+  bool stands_at(std::size_t wall, std::uint32_t owner) const {
+    const std::uint32_t crowd = crowds.kept[wall].crowd;
+    return crowd == no_crowd ? walls[wall].owner == owner : crowds.holds(crowd, owner);
+  }
 
   // A grid traversal would visit fewer buckets, but walls are short.
   template <class Visit>
@@ -142,7 +164,7 @@ bool WallIndex::any_in_buckets(const glm::dvec2& low, const glm::dvec2& high, co
       const auto b =
           static_cast<std::size_t>((y - key.row * buckets) * buckets + x - key.column * buckets);
       for (std::uint32_t i = cell->first[b]; i < cell->first[b + 1]; ++i)
-        if (visit(cell->walls[cell->inside[i]])) return true;
+        if (visit(*cell, cell->inside[i])) return true;
     }
   return false;
 }
@@ -152,10 +174,12 @@ bool WallIndex::any_crossing(double height, const glm::dvec2& from, const glm::d
                              const Visit& visit) {
   const glm::dvec2 to = from + step, direction = glm::normalize(step);
   const Line line{height, from, step};
-  return any_in_buckets(glm::min(from, to), glm::max(from, to), [&](const Wall& wall) {
-    const auto t = line.find_crossing(wall);
-    return t && visit(wall, *t, glm::dot(glm::dvec2(wall.east, wall.north), direction));
-  });
+  return any_in_buckets(
+      glm::min(from, to), glm::max(from, to), [&](const Loaded& cell, std::size_t n) {
+        const Wall& wall = cell.walls[n];
+        const auto t = line.find_crossing(wall);
+        return t && visit(cell, n, *t, glm::dot(glm::dvec2(wall.east, wall.north), direction));
+      });
 }
 
 bool WallIndex::blocked(std::span<const glm::dvec3> points, const glm::dvec3& normal,
@@ -186,7 +210,8 @@ bool WallIndex::blocked(std::span<const glm::dvec3> points, const glm::dvec3& no
   // Most walls of a bucket are far from all of the lines; those within rounding are not.
   constexpr double rounding_m = 0.01;
   const glm::vec2 least(low - rounding_m), most(high + rounding_m);
-  return any_in_buckets(low, high, [&](const Wall& wall) {
+  return any_in_buckets(low, high, [&](const Loaded& cell, std::size_t n) {
+    const Wall& wall = cell.walls[n];
     if (std::max(wall.ax, wall.bx) < least.x || std::min(wall.ax, wall.bx) > most.x ||
         std::max(wall.ay, wall.by) < least.y || std::min(wall.ay, wall.by) > most.y)
       return false;
@@ -203,7 +228,8 @@ bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, st
   const glm::dvec2 forward = glm::normalize(glm::dvec2(normal)) * looked_through_m;
   double nearest = 2;
   std::optional<std::uint32_t> around;
-  const auto find_nearest = [&](const Wall& wall, double t, double same_way) {
+  const auto find_nearest = [&](const Loaded& cell, std::size_t n, double t, double same_way) {
+    const Wall& wall = cell.walls[n];
     if (wall.owner == owner || t * looked_through_m < 2 * behind_m || t >= nearest) return false;
     nearest = t;
     around = same_way > 0 ? std::optional(wall.owner) : std::nullopt;
@@ -211,8 +237,8 @@ bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, st
   };
   any_crossing(local.z, glm::dvec2(local), forward, find_nearest);
   if (!around) return false;
-  const auto is_back = [&](const Wall& wall, double, double same_way) {
-    return wall.owner == *around && same_way > 0;
+  const auto is_back = [&](const Loaded& cell, std::size_t n, double, double same_way) {
+    return same_way > 0 && cell.stands_at(n, *around);
   };
   return any_crossing(local.z, glm::dvec2(local), -forward, is_back);
 }

@@ -61,11 +61,12 @@ class WallIndex {
   };
   struct Loaded;
   struct Line;
-  /// Calls visit(wall) for each wall in the buckets of a rectangle, until it returns true, and
-  /// returns whether it did; for some walls more than once.
+  /// Calls visit(cell, n) for the n-th wall of a cell, for all in the buckets of a rectangle, until
+  /// it returns true, and returns whether it did; for some walls more than once. Of walls in one
+  /// place it is called for those of two owners.
   template <class Visit>
   bool any_in_buckets(const glm::dvec2& low, const glm::dvec2& high, const Visit& visit);
-  /// Calls visit(wall, t, same_way) for walls that cross the line, at t in [0, 1] along it, as
+  /// Calls visit(cell, n, t, same_way) for walls that cross the line, at t in [0, 1] along it, as
   /// any_in_buckets() does. `same_way`: cosine of the angle between the wall's normal and the line.
   template <class Visit>
   bool any_crossing(double height, const glm::dvec2& from, const glm::dvec2& line,

@@ -1,9 +1,14 @@
 #include "tools/streets/chordal_axis.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 
+#include "formats/error.h"
 #include "tools/mesh/constrained_delaunay.h"
 
 namespace nightcity::streets {
@@ -19,25 +24,17 @@ using Delaunay = mesh::ConstrainedDelaunay<StreetFace>;
 using Face = Delaunay::Face_handle;
 using Vertex = Delaunay::Vertex_handle;
 
+// Edges of more pieces are inserted from the coarse to the fine.
+constexpr std::size_t longest_in_order = 256;
+
+std::size_t count_parts(const glm::dvec2& a, const glm::dvec2& b, double step_m) {
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(glm::distance(a, b) / step_m)));
+}
+
 class AxisMaker {
  public:
   AxisMaker(std::span<const OutlineEdge> outline, double step_m) : origin_(outline.front().first) {
-    Face hint{};
-    for (const auto& [from, to] : outline) {
-      const glm::dvec2 a = from - origin_, b = to - origin_;
-      const int parts = std::max(1, static_cast<int>(std::ceil(glm::distance(a, b) / step_m)));
-      Vertex last{};
-      for (int k = 0; k <= parts; ++k) {
-        // The points do not depend on the direction of the edge, and its ends are exact.
-        const glm::dvec2 p = k == 0       ? a
-                             : k == parts ? b
-                                          : a + (b - a) * (static_cast<double>(k) / parts);
-        const Vertex v = triangulation_.insert(Kernel::Point_2(p.x, p.y), hint);
-        if (k > 0 && v != last) triangulation_.insert_constraint(last, v);
-        last = v;
-        hint = v->face();
-      }
-    }
+    for (const auto& [from, to] : outline) insert(from - origin_, to - origin_, step_m);
   }
 
   Axis run() {
@@ -63,6 +60,29 @@ class AxisMaker {
   }
 
  private:
+  // The points between do not depend on the direction of the edge, and its ends are exact.
+  void insert(const glm::dvec2& a, const glm::dvec2& b, double step_m) {
+    const std::size_t parts = count_parts(a, b, step_m);
+    std::vector<Vertex> vertices(parts + 1);
+    for (const std::size_t k : list_insertions(parts)) {
+      const glm::dvec2 p =
+          k == 0       ? a
+          : k == parts ? b
+                       : a + (b - a) * (static_cast<double>(k) / static_cast<double>(parts));
+      vertices[k] = triangulation_.insert(Kernel::Point_2(p.x, p.y), hint_);
+      hint_ = vertices[k]->face();
+      if (parts <= longest_in_order && k > 0) join(vertices[k - 1], vertices[k]);
+    }
+    for (std::size_t k = 1; parts > longest_in_order && k <= parts; ++k)
+      join(vertices[k - 1], vertices[k]);
+  }
+
+  void join(const Vertex& from, const Vertex& to) {
+    if (from == to) return;
+    triangulation_.insert_constraint(from, to);
+    hint_ = to->face();
+  }
+
   static glm::dvec2 plan(const Vertex& v) { return {v->point().x(), v->point().y()}; }
 
   static glm::dvec2 middle(const Face& face, int i) {
@@ -184,14 +204,38 @@ class AxisMaker {
   }
 
   Delaunay triangulation_;
+  Face hint_{};  // near the last point
   glm::dvec2 origin_;
   Axis axis_;
 };
 
 }  // namespace
 
-Axis chordal_axis(std::span<const OutlineEdge> outline, double step_m) {
+std::vector<std::size_t> list_insertions(std::size_t parts) {
+  std::vector<std::size_t> order;
+  order.reserve(parts + 1);
+  if (parts <= longest_in_order) {
+    for (std::size_t k = 0; k <= parts; ++k) order.push_back(k);
+    return order;
+  }
+  order = {0, parts};
+  std::size_t stride = std::bit_floor(parts - 1);
+  for (; stride > 0; stride /= 2)
+    for (std::size_t k = stride; k < parts; k += 2 * stride) order.push_back(k);
+  return order;
+}
+
+Axis chordal_axis(std::span<const OutlineEdge> outline, double step_m, int max_points) {
   if (outline.empty()) return {};
+  std::size_t points = 0;
+  for (const auto& [from, to] : outline) {
+    points += count_parts(from, to, step_m);
+    if (points > static_cast<std::size_t>(max_points))
+      throw Error("", "the outlines of the model's roads have more than " +
+                          std::to_string(max_points) + " points " + fmt::format("{:g}", step_m) +
+                          " m apart, from which streets are found: raise [city] max_road_points "
+                          "in a recipe, or give a map with streets, [osm] files");
+  }
   return AxisMaker(outline, step_m).run();
 }
 

@@ -11,6 +11,9 @@
 
 namespace nightcity::streets {
 
+/// A triangulation of so many points takes some 1 GB.
+constexpr int default_max_road_points = 5'000'000;
+
 constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
 
 struct Axis {
@@ -30,7 +33,13 @@ struct Axis {
 };
 
 /// Returns the chordal axis. The outline's edges are first divided into pieces of at most `step_m`,
-/// so that chords lie across the street.
-Axis chordal_axis(std::span<const OutlineEdge> outline, double step_m);
+/// so that chords lie across the street. Throws Error where these are more than `max_points`.
+Axis chordal_axis(std::span<const OutlineEdge> outline, double step_m,
+                  int max_points = default_max_road_points);
+
+/// Returns the order in which the ends of an edge's pieces, from 0 to `parts`, are inserted. Those
+/// of an edge of more than 256 pieces come from the coarse to the fine: beside a parallel edge each
+/// next point along it would take over half of all that the last one sees.
+std::vector<std::size_t> list_insertions(std::size_t parts);
 
 }  // namespace nightcity::streets

@@ -90,11 +90,11 @@ SurfaceVote vote_on(const SurfaceIndex& index, const std::vector<glm::dvec2>& li
 
 StreetWays find_street_ways(const RoadSurfaces& roads,
                             const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat,
-                            int max_crossings) {
+                            int max_crossings, int max_points) {
   StreetWays result;
   if (roads.surfaces().empty()) return result;
-  const auto lines =
-      find_centrelines(chordal_axis(road_outline(roads.surfaces(), max_crossings), chord_step_m));
+  const auto lines = find_centrelines(
+      chordal_axis(road_outline(roads.surfaces(), max_crossings), chord_step_m, max_points));
   const SurfaceIndex index(roads.surfaces());
   std::map<std::size_t, int> ends;
   for (const Centreline& street : lines) {

@@ -8,6 +8,7 @@
 
 #include "tools/city/city_reader.h"
 #include "tools/osm/osm_data.h"
+#include "tools/streets/chordal_axis.h"
 #include "tools/streets/road_surfaces.h"
 
 namespace nightcity::streets {
@@ -20,9 +21,10 @@ struct StreetWays {
 };
 
 /// Returns the streets of these surfaces as ways. `to_lon_lat` is the inverse of the `to_frame`
-/// used by the readers of the ways. Throws Error as road_outline does.
+/// used by the readers of the ways. Throws Error as road_outline and chordal_axis do.
 StreetWays find_street_ways(const RoadSurfaces& roads,
                             const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat,
-                            int max_crossings = city::PolygonLimits{}.max_crossings);
+                            int max_crossings = city::PolygonLimits{}.max_crossings,
+                            int max_points = default_max_road_points);
 
 }  // namespace nightcity::streets

@@ -1,6 +1,7 @@
 #include "tools/terrain/surface_store.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double finest_cell_m = 128;
 constexpr std::size_t max_cached = 40'000;  // triangles, 72 bytes each
+constexpr std::size_t crowded = 256;        // triangles of a bucket
 constexpr double min_plan_area_m2 = 1e-8;   // below it a triangle is a wall or a line
 constexpr double edge_m = 1e-6;             // a point this near to an edge counts as on it
 constexpr double beyond_any_frame_m = 1e9;
@@ -30,6 +32,13 @@ struct SurfaceStore::Loaded {
 
   Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size)
       : triangles(std::move(t)), corner(low) {
+    sort_into_buckets(size);
+    if (find_fullest() <= crowded) return;
+    remove_repeats();
+    sort_into_buckets(size);
+  }
+
+  void sort_into_buckets(double size) {
     side =
         std::clamp(static_cast<int>(std::sqrt(static_cast<double>(triangles.size()) / 2)), 1, 256);
     buckets_per_m = side / size;
@@ -41,6 +50,32 @@ struct SurfaceStore::Loaded {
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
       visit(triangles[i], [&](std::size_t b) { inside[next[b]++] = i; });
+  }
+
+  std::size_t find_fullest() const {
+    std::size_t most = 0;
+    for (std::size_t b = 0; b + 1 < first.size(); ++b)
+      most = std::max<std::size_t>(most, first[b + 1] - first[b]);
+    return most;
+  }
+
+  // Where one object was exported thousands of times, each place would be looked for in all of
+  // them, and each gives the same height.
+  void remove_repeats() {
+    const auto key = [](const Triangle& triangle) {
+      return std::bit_cast<std::array<std::uint64_t, 9>>(triangle);
+    };
+    std::sort(triangles.begin(), triangles.end(),
+              [&](const Triangle& a, const Triangle& b) { return key(a) < key(b); });
+    triangles.erase(
+        std::unique(triangles.begin(), triangles.end(),
+                    [&](const Triangle& a, const Triangle& b) { return key(a) == key(b); }),
+        triangles.end());
+  }
+
+  std::size_t count_at(const glm::dvec2& p) const {
+    const std::size_t b = bucket_at(index(p.x - corner.x), index(p.y - corner.y));
+    return first[b + 1] - first[b];
   }
 
   /// Memory, in triangles.
@@ -124,10 +159,10 @@ bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
   return true;
 }
 
-std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
-  if (!origin_ || !std::isfinite(p.x + p.y)) return std::nullopt;
+template <class Visit>
+void SurfaceStore::for_each_cell(const glm::dvec2& p, const Visit& visit) {
+  if (!origin_ || !std::isfinite(p.x + p.y)) return;
   const glm::dvec2 local = p - *origin_;
-  std::optional<double> best;
   for (int level = 0; level < levels; ++level) {
     if (!used_[static_cast<std::size_t>(level)]) continue;
     const double size = cell_size(level);
@@ -138,9 +173,21 @@ std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
     const auto loaded = cache_->get(key, [&] {
       return Loaded(cells_.read(key), glm::dvec2(key.column, key.row) * size, size);
     });
-    loaded->raise(local, best);
+    visit(*loaded, local);
   }
+}
+
+std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
+  std::optional<double> best;
+  for_each_cell(p, [&](const Loaded& cell, const glm::dvec2& local) { cell.raise(local, best); });
   return best;
+}
+
+std::size_t SurfaceStore::count_candidates(const glm::dvec2& p) {
+  std::size_t count = 0;
+  for_each_cell(
+      p, [&](const Loaded& cell, const glm::dvec2& local) { count += cell.count_at(local); });
+  return count;
 }
 
 }  // namespace nightcity::terrain

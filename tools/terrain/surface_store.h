@@ -41,6 +41,8 @@ class SurfaceStore {
   /// Returns the greatest height of a triangle on the vertical line through `p`; a point on an edge
   /// belongs to both sides. May be called from many threads while no triangle is added.
   std::optional<double> highest_at(const glm::dvec2& p);
+  /// Returns at how many triangles highest_at() looks.
+  std::size_t count_candidates(const glm::dvec2& p);
 
  private:
   struct Triangle {
@@ -53,6 +55,9 @@ class SurfaceStore {
   struct Loaded;
 
   static double cell_size(int level);
+  /// Calls visit(cell, place in it) for each cell that holds `p`.
+  template <class Visit>
+  void for_each_cell(const glm::dvec2& p, const Visit& visit);
 
   static constexpr int levels = 24;  // the coarsest cells are wider than any frame
   std::optional<glm::dvec2> origin_;

@@ -120,6 +120,46 @@ TEST(Recipe, TrafficDrivesWhereItsTableIsThere) {
     EXPECT_THROW(read(folder, files + "[traffic]\n" + wrong + "\n"), UsageError) << wrong;
 }
 
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) ++found;
+  return found;
+}
+
+TEST(Recipe, WhatIsNamedAgainCountsOnceAndIsSaid) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "tiles");
+  test::write_text(folder / "tiles" / "a.gml", "x");
+  std::string again, rows;
+  for (int i = 0; i < 999; ++i) {
+    again += ", './b.gml', 'tiles', 'tiles/'";
+    rows += ", {file = 's.ldt', roads = ['primary']}";
+  }
+  ::testing::internal::CaptureStderr();
+  const Recipe recipe = read(
+      folder, "[city]\nfiles = ['b.gml', 'tiles/a.gml'" + again + "]\n[osm]\nfiles = ['m.osm', " +
+                  "'n.osm', 'm.osm']\n[terrain]\ndem = ['a.tif', 'b.tif', 'a.tif']\n[lights]\n" +
+                  "edits = ['a.json', 'b.json', 'a.json']\n[lamps]\nluminaires = [" +
+                  "{file = 's.ldt'}, {file = 's.ldt', roads = ['primary']}" + rows + "]\n" +
+                  "inventories = [{file = 'l.csv', layer = 'x'}, {file = 'l.csv', layer = 'y'}, " +
+                  "{file = 'l.csv', layer = 'x'}]\n");
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  using Paths = std::vector<std::filesystem::path>;
+  EXPECT_EQ(recipe.city.files, (Paths{folder / "b.gml", folder / "tiles/a.gml"}));
+  EXPECT_EQ(recipe.osm.files, (Paths{folder / "m.osm", folder / "n.osm"}));
+  EXPECT_EQ(recipe.terrain.elevation_models, (Paths{folder / "a.tif", folder / "b.tif"}));
+  // Of two edits of a light the later one holds, so a file keeps the place of its last mention.
+  EXPECT_EQ(recipe.lights.edits, (Paths{folder / "b.json", folder / "a.json"}));
+  EXPECT_EQ(recipe.lamps.luminaires.size(), 2u);
+  ASSERT_EQ(recipe.lamps.inventories.size(), 2u);
+  EXPECT_EQ(recipe.lamps.inventories[1].layer, "y");
+  // 999 times b.gml and 2 * 999 times the folder, of which the first brings a.gml again.
+  EXPECT_EQ(count(said, ": [city] files names files again that it has named, 2997 times"), 1u)
+      << said;
+  EXPECT_EQ(count(said, "[lamps] luminaires holds rows again that it has held, 999 times"), 1u);
+  EXPECT_EQ(count(said, "note: "), 6u);
+}
+
 TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "tiles");
@@ -217,7 +257,7 @@ TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
   }
   const std::string dots(1000, '.');
   const Recipe recipe = read(folder, "# " + dots + "\n[city]\nfiles = ['" + dots + "', \"\"\"" +
-                                         dots + "\"\"\"]\n[origin]\nheight = 1.5\n");
+                                         dots + ".\"\"\"]\n[origin]\nheight = 1.5\n");
   EXPECT_EQ(recipe.city.files.size(), 2u);
 }
 

@@ -84,12 +84,14 @@ class TexturesTest : public testing::Test {
     recipe.city.files = {folder / "city.gml"};
     recipe.city.read.textures = city::Textures::atlas;
     recipe.city.texels_per_m = texels_per_m;
+    recipe.city.max_picture_mpx = max_picture_mpx;
     recipe.windows.lit = false;
     report = bake(recipe, folder / "out");
     return read_scene(folder / "out" / "city.glb");
   }
   const TempFolder folder;
   BakeReport report;
+  int max_picture_mpx = Recipe().city.max_picture_mpx;
 };
 
 // Looks up the colour of a scene at places of its walls: (metres east, metres up) from a corner.
@@ -275,6 +277,34 @@ TEST_F(TexturesTest, AnAppearanceOfTheDocumentDressesItsBuildings) {
   expect_chequer(bake_scene(house_of("h", wall_at("w", 0), "") +
                             "<app:appearanceMember><app:Appearance>" + texture_of("wall.png", "w") +
                             "</app:Appearance></app:appearanceMember>"));
+}
+
+// Each wall of 16 by 8 m has 100 texels a metre along a side: 1.28 megatexels.
+TEST_F(TexturesTest, BeyondTheLimitOfTexelsSurfacesKeepTheMeanColourAndAreCounted) {
+  constexpr int larger = 2048;
+  write_text(folder / "even.png", make_rgb_png(larger, larger / 2, [](std::size_t, std::size_t) {
+               return light_field;
+             }));
+  std::string members;
+  for (int i = 0; i < 4; ++i) {
+    const std::string id = "w" + std::to_string(i);
+    members += house_of("h" + std::to_string(i), wall_at(id, 20 * i), texture_of("even.png", id));
+  }
+  max_picture_mpx = 3;
+  const Scene scene = bake_scene(members, 100);
+  EXPECT_EQ(report.tiles.textures.surfaces, 2u);
+  EXPECT_EQ(report.tiles.textures.beyond_limit, 2u);
+  EXPECT_LT(report.tiles.textures.texels, 3'000'000u);
+  std::size_t plain = 0;
+  for (const SceneMesh& mesh : scene.meshes)
+    for (const ScenePrimitive& p : mesh.primitives)
+      if (p.texture_coordinates.empty()) plain += p.indices.size() / 3;
+  EXPECT_EQ(plain, 4u);  // two triangles for each wall without a picture
+  EXPECT_GT(report.tiles.colours, 0u);
+  max_picture_mpx = 6;
+  bake_scene(members, 100);
+  EXPECT_EQ(report.tiles.textures.surfaces, 4u);
+  EXPECT_EQ(report.tiles.textures.beyond_limit, 0u);
 }
 
 TEST_F(TexturesTest, PartsGiveTheBytesOfTheWhole) {

@@ -88,7 +88,8 @@ TEST(BoxIndex, ASplitSquareGivesTheSameFirstAndAsksFewer) {
     whole.add(i, find_box(strips[i]));
     split.add(i, find_box(strips[i]));
   }
-  split.split_crowded([&](std::uint32_t i, const Box& box) { return find_share(strips[i], box); });
+  split.split_crowded([&](std::uint32_t i, const Box& box) { return find_share(strips[i], box); },
+                      [](std::uint32_t) { return std::size_t{4}; });
   std::uniform_real_distribution<double> place(-260, 20);
   std::size_t asked_whole = 0, asked_split = 0, held = 0;
   for (int n = 0; n < 5000; ++n) {
@@ -104,6 +105,41 @@ TEST(BoxIndex, ASplitSquareGivesTheSameFirstAndAsksFewer) {
   EXPECT_GT(held, 2000u);
   EXPECT_LT(held, 4900u);
   EXPECT_LT(20 * asked_split, asked_whole);
+}
+
+// Each goes to and fro through the square of 256 m, 20 lines of 200 m, 10 m apart.
+TEST(BoxIndex, AreasThatWindThroughTheirSquareAreSplitAsTheirLinesWouldBe) {
+  constexpr int turns = 20;
+  std::vector<std::vector<Ring>> winding;
+  for (int n = 0; n < 400; ++n) {
+    const glm::dvec2 low(-240 + 0.5 * (n % 20), -240 + 0.5 * (n / 20));
+    Ring there, back;
+    for (int k = 0; k < turns; ++k)
+      for (const int end : {k % 2, 1 - k % 2}) {
+        there.push_back(low + glm::dvec2(200 * end, 10 * k));
+        back.push_back(there.back() + glm::dvec2(0, 0.2));
+      }
+    there.insert(there.end(), back.rbegin(), back.rend());
+    winding.push_back({there});
+  }
+  BoxIndex index;
+  for (std::uint32_t i = 0; i < winding.size(); ++i) index.add(i, find_box(winding[i]));
+  index.split_crowded([&](std::uint32_t i, const Box& box) { return find_share(winding[i], box); },
+                      [&](std::uint32_t i) { return winding[i][0].size(); });
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-235, -45);
+  std::size_t asked = 0;
+  constexpr std::size_t places = 1000;
+  for (std::size_t n = 0; n < places; ++n) {
+    const glm::dvec2 p(place(random), place(random));
+    std::uint32_t first = BoxIndex::none;
+    for (std::uint32_t i = 0; i < winding.size() && first == BoxIndex::none; ++i)
+      if (mesh::holds(winding[i], p)) first = i;
+    EXPECT_EQ(
+        index.find_first(p, [&](std::uint32_t i) { return ++asked, mesh::holds(winding[i], p); }),
+        first);
+  }
+  EXPECT_LT(asked, 100 * places);  // of 400 areas
 }
 
 TEST(BoxIndex, AnAreaHasNoneAPartOrAllOfABox) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -42,6 +43,31 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
       windows_of({make_house(0, 0, 12, 10, 16, "a"), make_house(12, 0, 24, 10, 5, "b")});
   EXPECT_GT(faces(step, {1, 0, 0}, 11, 13, 5), 0u);
   EXPECT_EQ(faces(step, {1, 0, 0}, 11, 13), faces(step, {1, 0, 0}, 11, 13, 5));
+}
+
+TEST(Windows, HousesInsideAnotherHaveNoneWhoeverElseHasItsBack) {
+  // The back of the outer house is that of two others too, which have no front.
+  const city::CityObject outer = make_house(-10, -10, 22, 20, 12, "outer");
+  city::CityObject back = outer;
+  back.polygons = {outer.polygons[2]};  // from (22, 20) to (-10, 20)
+  std::vector<city::CityObject> objects;
+  for (const char* id : {"back 1", "back 2", "back 3"}) {
+    back.id = id;
+    objects.push_back(back);
+  }
+  objects.push_back(outer);
+  // The front is the outer house's alone.
+  const auto count_at_front = [](const WindowSet& set) {
+    return std::count_if(set.windows.begin(), set.windows.end(),
+                         [](const LitRectangle& w) { return w.normal.y < -0.99f; });
+  };
+  const auto alone = count_at_front(windows_of(objects));
+  EXPECT_GT(alone, 0);
+  for (const char* id : {"inner 1", "inner 2", "inner 3"})
+    objects.push_back(make_house(0, 0, 12, 10, 9.8, id));
+  const WindowSet set = windows_of(objects);
+  EXPECT_EQ(count_at_front(set), alone);
+  EXPECT_GT(set.report.left_out.at("inside another building"), 0u);
 }
 
 TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {

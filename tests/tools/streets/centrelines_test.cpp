@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "formats/error.h"
 #include "tools/streets/axis_cleaning.h"
 #include "tools/streets/road_shapes.h"
 
@@ -42,6 +43,45 @@ std::size_t junctions_of(const std::vector<Centreline>& lines) {
   const auto ends = ends_of(lines);
   return static_cast<std::size_t>(
       std::count_if(ends.begin(), ends.end(), [](const auto& end) { return end.second > 2; }));
+}
+
+TEST(CentreLines, OfAVeryLongRoadIsItsMiddleToo) {
+  const dvec2 a(400123.4, 5800456.7), b = a + dvec2(7200, 5400);
+  const auto lines = lines_of({strip(a, b, 6)});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NEAR(lines[0].width_m, 6, 0.05);
+  EXPECT_NEAR(length_of(lines[0].line), 9000, 0.1);
+  for (const dvec2& p : lines[0].line) EXPECT_LT(from_segment(p, a, b), 0.1);
+}
+
+TEST(CentreLines, PointsOfALongEdgeAreInsertedFromTheCoarseToTheFine) {
+  EXPECT_EQ(list_insertions(3), (std::vector<std::size_t>{0, 1, 2, 3}));
+  for (const std::size_t parts : {257u, 512u, 3600u}) {
+    std::vector<std::size_t> order = list_insertions(parts);
+    EXPECT_EQ(order[0], 0u);
+    EXPECT_EQ(order[1], parts);
+    // Wherever it stops, no gap is more than four times as long as a mean one.
+    for (std::size_t n = 4; n <= order.size(); n *= 2) {
+      std::vector<std::size_t> there(order.begin(), order.begin() + static_cast<long>(n));
+      std::sort(there.begin(), there.end());
+      for (std::size_t i = 1; i < n; ++i)
+        EXPECT_LE(there[i] - there[i - 1], 4 * parts / n + 1) << parts << " " << n;
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t k = 0; k <= parts; ++k) EXPECT_EQ(order.at(k), k);
+    EXPECT_EQ(order.size(), parts + 1);
+  }
+}
+
+TEST(CentreLines, RoadsBeyondTheLimitOfPointsAreRefusedByItsName) {
+  const std::vector<OutlineEdge> outline = road_outline(std::vector{strip({0, 0}, {100, 0}, 10)});
+  EXPECT_FALSE(chordal_axis(outline, 2.5, 88).branches.empty());  // 2 * 40 and 2 * 4
+  try {
+    chordal_axis(outline, 2.5, 87);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("[city] max_road_points"), std::string::npos);
+  }
 }
 
 class StraightRoad : public testing::TestWithParam<double> {};

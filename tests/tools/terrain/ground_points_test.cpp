@@ -46,6 +46,19 @@ TEST(GroundPoints, KeepsAllUpToItsLimitAndTheLowestOfEachSquareBeyond) {
 
 // A brute-force search is the oracle, for triangles of all sizes, many more than memory keeps at
 // once.
+TEST(SurfaceStore, LooksAtATriangleOnceHoweverOftenItIsThere) {
+  const test::TempFolder folder;
+  SurfaceStore store(folder / "x");
+  for (int n = 0; n < 10'000; ++n) {
+    store.add({0, 0, 5}, {10, 0, 5}, {0, 10, 25});  // 5 + 2 y
+    store.add({0, 0, 7}, {10, 0, 7}, {0, 10, 7});
+  }
+  EXPECT_EQ(store.highest_at({2, 0.5}), 7);
+  EXPECT_NEAR(store.highest_at({2, 4}).value(), 13, 1e-9);
+  EXPECT_EQ(store.highest_at({-1, 4}), std::nullopt);
+  EXPECT_EQ(store.count_candidates({2, 4}), 2u);
+}
+
 TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
   const test::TempFolder folder;
   SurfaceStore store(folder / "x");

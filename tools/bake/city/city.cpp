@@ -313,7 +313,7 @@ bool City::wants_model_streets() const {
 StreetReport City::add_model_streets(const streets::RoadSurfaces& roads) {
   streets::StreetWays streets = streets::find_street_ways(
       roads, [this](const glm::dvec2& p) { return frame().to_lon_lat(p); },
-      inputs_.read.polygon.max_crossings);
+      inputs_.read.polygon.max_crossings, inputs_.max_road_points);
   for (osm::OsmWay& way : streets.ways) map_.highways.push_back(std::move(way));
   return {roads.surfaces().size(), roads.left_out(),  streets.km,
           streets.km_by_code,      streets.junctions, streets.ends};

@@ -30,6 +30,7 @@ struct PreparedObject {
   /// Walls and windows, where they have been looked for while a part of the city was read.
   std::shared_ptr<const lights::WindowLayout::WindowBatch> windows;
   SurfacePictures pictures;
+  std::uint64_t pictured_polygons = 0;  // that have a picture, also where `pictures` has none
 };
 
 class CityConsumer {

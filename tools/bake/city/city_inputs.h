@@ -15,8 +15,11 @@
 #include "tools/georeference/frame.h"
 #include "tools/inventory/inventory.h"
 #include "tools/osm/osm_data.h"
+#include "tools/streets/chordal_axis.h"
 
 namespace nightcity::bake {
+
+class PictureBudget;
 
 struct CityInputs {
   std::filesystem::path recipe;              // that names the files; empty: they were given alone
@@ -35,7 +38,11 @@ struct CityInputs {
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
   /// By which corners that are left out may lie off the outlines of buildings, m; 0: all stay.
   double simplify_m = 0;
-  double texels_per_m = 5;  // of pictures on surfaces, at most
+  double texels_per_m = 5;     // of pictures on surfaces, at most
+  int max_picture_mpx = 2000;  // a limit: millions of texels of all pictures on surfaces
+  /// Of the bake that reads the city; null: whoever reads it makes all pictures.
+  std::shared_ptr<const PictureBudget> picture_budget;
+  int max_road_points = streets::default_max_road_points;  // a limit: chordal_axis()
   bool drops_roads = false;  // of the model, where there is a map: its streets stand for them
   GroundOptions ground;
   CoverOptions cover;

@@ -11,6 +11,7 @@
 
 #include "formats/checksum.h"
 #include "formats/finite.h"
+#include "tools/bake/city/picture_budget.h"
 #include "tools/mesh/classify.h"
 #include "tools/mesh/close_gaps.h"
 #include "tools/mesh/simplify_outlines.h"
@@ -140,6 +141,7 @@ ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& fram
           inputs.simplify_m,
           inputs.ground.max_error_m,
           inputs.texels_per_m,
+          inputs.picture_budget.get(),
           inputs.drops_roads && !inputs.maps.empty()};
 }
 
@@ -171,6 +173,7 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
     result.unusable = Unusable::without_ground;
   } else {
     const PictureLayout pictures(object);
+    prepared->pictured_polygons = pictures.size();
     if (object.type == city::ObjectType::building)
       result.report.corners_left_out += mesh::simplify_outlines(object, settings.simplify_m);
     // Shells first: which way is out decides what is a roof and which side of a wall has windows.
@@ -180,7 +183,7 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
     if (object.type == city::ObjectType::relief && settings.max_error_m > 0 &&
         !is_coloured(object) && pictures.empty())
       thin(prepared->mesh, settings.max_error_m, result.report);
-    if (!pictures.empty())
+    if (!pictures.empty() && !(settings.picture_budget && settings.picture_budget->has_ended()))
       prepared->pictures = pictures.lay_out(prepared->mesh, object, settings.texels_per_m);
     if (prepared->mesh.triangles.empty()) result.unusable = find_cause(result.report);
   }

@@ -15,6 +15,8 @@
 
 namespace nightcity::bake {
 
+class PictureBudget;
+
 /// From the city's first point. A stray point beyond this would cost every other vertex its
 /// precision.
 constexpr double max_distance_m = 100'000;
@@ -53,7 +55,8 @@ struct ReadySettings {
   double simplify_m = 0;   // of buildings: CityInputs
   double max_error_m = 0;  // of relief: GroundOptions
   double texels_per_m = 0;
-  bool drops_roads = false;  // those of the map stand for them
+  const PictureBudget* picture_budget = nullptr;  // null: objects have all their pictures
+  bool drops_roads = false;                       // those of the map stand for them
 };
 ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& frames,
                                 const GroundHeights* heights);

@@ -1,6 +1,7 @@
 // Pictures on the triangles of an object, as large as the scene has room for.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <map>
@@ -57,6 +58,7 @@ class PictureLayout {
   SurfacePictures lay_out(const mesh::TriangleMesh& mesh, const city::CityObject& object,
                           double texels_per_m) const;
   bool empty() const { return placed_.empty(); }
+  std::size_t size() const { return placed_.size(); }  // polygons
 
  private:
   struct Before {

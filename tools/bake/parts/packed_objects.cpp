@@ -52,7 +52,7 @@ template <class Archive, class Ready, class Prepared>
 void visit(Archive& archive, Ready& ready, Prepared& prepared) {
   archive(ready.identity, ready.unusable, ready.report, ready.elsewhere, prepared.mesh.positions,
           prepared.mesh.triangles, prepared.lacks_heights, prepared.closed, prepared.use,
-          prepared.pictures);
+          prepared.pictures, prepared.pictured_polygons);
 }
 
 }  // namespace

@@ -78,12 +78,12 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
       "city",
       "The city model.",
       {paths_key(
-           "files", city.files, folder, true, R"(["buildings", "terrain.gml.gz"])",
+           "files", city.files, folder, {.expands_folders = true},
+           R"(["buildings", "terrain.gml.gz"])",
            "CityGML 1, 2 or 3, CityJSON 1.0 to 2.0 or CityJSONSeq and Wavefront OBJ files, plain, "
            "gzipped or zipped. Paths are relative to the recipe. A folder stands for the city "
            "files in it and "
-           "in the folders "
-           "inside it."),
+           "in the folders inside it."),
        text_key("crs", city.frame.crs_override, "\"EPSG:25833\"",
                 "Coordinate reference system of the files, in place of the one they name: an EPSG "
                 "code or any text that PROJ understands. `\"none\"`: coordinates are metres of an "
@@ -138,6 +138,9 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        integer_key("max_polygon_points", city.read.polygon.max_points, 3, 1'000'000'000,
                    "A limit: a polygon of more points, those of its holes included, is left out "
                    "and counted. Triangulating one takes some 400 bytes a point."),
+       integer_key("max_road_points", city.max_road_points, 1, 1'000'000'000,
+                   "A limit: where streets come from the model's roads, the bake ends if their "
+                   "outlines have more points than this, 2.5 m apart. One takes some 200 bytes."),
        choice_key<city::Textures>(
            "textures", city.read.textures,
            {{"none", city::Textures::none},
@@ -153,6 +156,11 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        number_key("texels_per_m", city.texels_per_m, {0.1, 100}, "",
                   "`textures = \"atlas\"`: so many texels of a picture lie along a metre of a "
                   "surface, at most. Twice as many take four times the room."),
+       integer_key("max_picture_mpx", city.max_picture_mpx, 1, 1'000'000,
+                   "A limit: `textures = \"atlas\"` lays this many millions of texels onto the "
+                   "surfaces of all objects together, each 3 bytes of the temporary folder. From "
+                   "the first object on whose pictures do not fit, surfaces keep the mean colour, "
+                   "and are counted."),
        flag_key("drop_ground", city.drop_ground,
                 "Leaves out the ground surfaces under buildings, which nobody sees."),
        flag_key("drop_hidden", city.drop_hidden,

@@ -1,6 +1,7 @@
 #include "tools/bake/recipe/key.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/program/toml_file.h"
@@ -15,16 +16,32 @@ std::string to_range(const Limits& limits) {
   return to_short_text(limits.min) + " to " + to_short_text(limits.max);
 }
 
-std::vector<fs::path> read_paths(const Value& value, const fs::path& folder, bool expand_folders) {
-  std::vector<fs::path> result;
+// A folder that is named again is not searched again. Other mentions of a file can be told only when
+// folders are replaced by their files.
+std::vector<fs::path> read_paths(const Value& value, const fs::path& folder, const PathList& list) {
+  std::vector<fs::path> named;
   for (const std::string& name : value.texts()) {
     if (name.empty()) value.refuse("holds an empty name");
-    const fs::path path = (folder / name).lexically_normal();
-    const auto found = expand_folders ? inputs::city_files(path) : std::vector<fs::path>{path};
-    result.insert(result.end(), found.begin(), found.end());
+    named.push_back((folder / name).lexically_normal());
   }
-  if (result.empty()) value.refuse("names no file");
-  return result;
+  inputs::NamedOnce once = inputs::name_once(std::move(named), list.kept);
+  if (list.expands_folders) {
+    std::vector<fs::path> found;
+    for (const fs::path& path : once.files) {
+      const std::vector<fs::path> files = inputs::city_files(path);
+      found.insert(found.end(), files.begin(), files.end());
+    }
+    inputs::NamedOnce expanded = inputs::name_once(std::move(found), list.kept);
+    expanded.repeats += once.repeats;
+    if (once.repeats > 0) expanded.first_repeat = once.first_repeat;
+    once = std::move(expanded);
+  }
+  if (once.files.empty()) value.refuse("names no file");
+  if (once.repeats > 0)
+    value.note("names files again that it has named, " + std::to_string(once.repeats) +
+               (once.repeats == 1 ? " time (" : " times (the first is ") +
+               once.first_repeat.string() + "): each is read once");
+  return std::move(once.files);
 }
 
 }  // namespace
@@ -88,17 +105,16 @@ Key texts_key(std::string name, std::vector<std::string>& target, std::string ex
 }
 
 Key paths_key(std::string name, std::vector<fs::path>& target, const fs::path& folder,
-              bool expand_folders, std::string example, std::string help) {
-  return {std::move(name),
-          "path or list of paths",
-          "",
-          "",
-          "",
-          std::move(example),
-          std::move(help),
-          [&target, folder, expand_folders](const Value& value) {
-            target = read_paths(value, folder, expand_folders);
-          }};
+              PathList list, std::string example, std::string help) {
+  return {
+      std::move(name),
+      "path or list of paths",
+      "",
+      "",
+      "",
+      std::move(example),
+      std::move(help),
+      [&target, folder, list](const Value& value) { target = read_paths(value, folder, list); }};
 }
 
 void read_keys(const std::string& file, const std::string& prefix, const toml::table& settings,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tools/bake/recipe/value.h"
+#include "tools/inputs/named_once.h"
 
 namespace nightcity::recipe {
 
@@ -50,9 +51,15 @@ Key text_key(std::string name, std::string& target, std::string example, std::st
 Key texts_key(std::string name, std::vector<std::string>& target, std::string example,
               std::string help);
 
-/// Names are relative to `folder`. With `expand_folders`, a folder stands for the city files in it.
+struct PathList {
+  bool expands_folders = false;                   // a folder stands for the city files in it
+  inputs::Mention kept = inputs::Mention::first;  // of a file that is named again
+};
+
+/// Names are relative to `folder`. A file that is named again is in `target` once, and a note on
+/// stderr counts how often.
 Key paths_key(std::string name, std::vector<std::filesystem::path>& target,
-              const std::filesystem::path& folder, bool expand_folders, std::string example,
+              const std::filesystem::path& folder, PathList list, std::string example,
               std::string help);
 
 template <class Integer>

@@ -1,3 +1,8 @@
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
 #include "tools/bake/recipe/tables.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"
@@ -33,6 +38,18 @@ std::map<std::string, lights::NightSpan> to_night_spans(const Value& value) {
   return result;
 }
 
+// A row that says the same as one before it changes nothing: the first row counts that fits a lamp,
+// or knows it.
+template <class Row>
+void leave_out_repeats(const Value& value, std::vector<Row>& rows) {
+  std::set<Row> known;
+  const std::size_t named = rows.size();
+  std::erase_if(rows, [&](const Row& row) { return !known.insert(row).second; });
+  if (const std::size_t repeats = named - rows.size(); repeats > 0)
+    value.note("holds rows again that it has held, " + std::to_string(repeats) +
+               (repeats == 1 ? " time" : " times") + ": each counts once");
+}
+
 std::vector<bake::LuminaireFile> to_luminaires(const Value& value,
                                                const std::filesystem::path& folder) {
   const std::string what =
@@ -46,6 +63,7 @@ std::vector<bake::LuminaireFile> to_luminaires(const Value& value,
               make_luminaire_table(luminaire, folder).keys);
     if (luminaire.file.empty()) element.refuse("names no file");
   }
+  leave_out_repeats(value, result);
   return result;
 }
 
@@ -77,6 +95,7 @@ std::vector<inventory::InventoryFile> to_inventories(const Value& value,
     read_keys(value.file, value.name + ".", *settings, make_inventory_table(file, folder).keys);
     if (file.file.empty()) element.refuse("names no file");
   }
+  leave_out_repeats(value, result);
   return result;
 }
 

@@ -16,6 +16,7 @@
 #include "tools/georeference/frame.h"
 #include "tools/map_lights/map_light_options.h"
 #include "tools/osm/osm_data.h"
+#include "tools/streets/chordal_axis.h"
 #include "tools/traffic/traffic.h"
 #include "tools/trees/model_tree.h"
 
@@ -35,8 +36,10 @@ struct Recipe {
     std::optional<std::array<double, 4>> bounds;
     city::ReadOptions read;
     double tile_m = 250;
-    double simplify_m = 0;    // as CityInputs'
-    double texels_per_m = 5;  // as CityInputs'
+    double simplify_m = 0;       // as CityInputs'
+    double texels_per_m = 5;     // as CityInputs'
+    int max_picture_mpx = 2000;  // as CityInputs'
+    int max_road_points = streets::default_max_road_points;
     bool drops_roads = false;
     bool drop_ground = false;
     bool drop_hidden = false;

@@ -28,7 +28,7 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
   return {
       "osm",
       "The map: street lamps, streets, and outlines that say what a building is used for.",
-      {paths_key("files", osm.files, folder, false, R"(["streets.osm.pbf"])",
+      {paths_key("files", osm.files, folder, {}, R"(["streets.osm.pbf"])",
                  "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2. Paths are "
                  "relative to the recipe. Several extracts are merged; an object that is in "
                  "more than one is taken in its newest version."),
@@ -58,7 +58,7 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
   return {
       "terrain",
       "The ground of a city whose model has no relief.",
-      {paths_key("dem", terrain.elevation_models, folder, false, R"(["heights.tif"])",
+      {paths_key("dem", terrain.elevation_models, folder, {}, R"(["heights.tif"])",
                  "Digital elevation models in a raster format that GDAL reads, except those "
                  "that lead to other files or the network (VRT, WMS). They are not "
                  "used where the city model has a relief of its own."),
@@ -248,7 +248,8 @@ Table make_light_table(bake::Recipe::Lights& lights, const fs::path& folder) {
   return {
       "lights",
       "All lamps and windows, whatever they come from.",
-      {paths_key("edits", lights.edits, folder, false, R"(["city.edits.json"])",
+      {paths_key("edits", lights.edits, folder, {.kept = inputs::Mention::last},
+                 R"(["city.edits.json"])",
                  "Files of single lights that were switched off, dimmed or aimed by hand, as the "
                  "window of nightview writes them (formats/SPEC.md, section 5). Lights keep "
                  "their identity from bake to bake, so a file stays good. Of several edits of "

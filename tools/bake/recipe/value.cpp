@@ -1,11 +1,19 @@
 #include "tools/bake/recipe/value.h"
 
+#include <fmt/core.h>
+
+#include <cstdio>
+
 #include "formats/error.h"
 
 namespace nightcity::recipe {
 
 void Value::refuse(const std::string& message) const {
   throw UsageError(file, node.source().begin.line, name + " " + message);
+}
+
+void Value::note(const std::string& message) const {
+  fmt::print(stderr, "note: {}:{}: {} {}\n", file, node.source().begin.line, name, message);
 }
 
 double Value::number(double min, double max) const {

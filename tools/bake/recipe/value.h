@@ -17,6 +17,9 @@ struct Value {
   /// Throws UsageError: "FILE: line N: NAME MESSAGE".
   [[noreturn]] void refuse(const std::string& message) const;
 
+  /// Prints "note: FILE:N: NAME MESSAGE" on stderr.
+  void note(const std::string& message) const;
+
   /// Returns a number within [min, max]; NaN is never within.
   double number(double min, double max) const;
   int integer(int min, int max) const;

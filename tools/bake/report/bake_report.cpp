@@ -163,6 +163,11 @@ std::string surfaces_in_words(const BakeReport& report) {
                         fmt::format("{} surfaces in {} pictures: {:.1f} megatexels, {:.1f} MB",
                                     t.surfaces, t.pictures, static_cast<double>(t.texels) / 1e6,
                                     static_cast<double>(t.bytes) / 1e6));
+  if (const std::size_t beyond = tiles.textures.beyond_limit; beyond > 0)
+    text += report_line("textures",
+                        fmt::format("{} surfaces have the mean colour: they are beyond [city] "
+                                    "max_picture_mpx",
+                                    beyond));
   return text + to_text(tiles.skins);
 }
 
@@ -254,7 +259,8 @@ json to_json(const BakeReport& report) {
         {"triangles", report.tiles.textures.triangles},
         {"pictures", report.tiles.textures.pictures},
         {"texels", report.tiles.textures.texels},
-        {"bytes", report.tiles.textures.bytes}}},
+        {"bytes", report.tiles.textures.bytes},
+        {"beyond_limit", report.tiles.textures.beyond_limit}}},
       {"skins", to_json(report.tiles.skins)},
       {"draped_triangles", report.tiles.draped},
       {"gaps",

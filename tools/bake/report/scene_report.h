@@ -15,6 +15,7 @@ struct TextureReport {
   std::size_t surfaces = 0, triangles = 0;  // under pictures
   std::size_t pictures = 0;                 // of the scene
   std::uint64_t texels = 0, bytes = 0;      // of these
+  std::size_t beyond_limit = 0;             // surfaces that keep the mean colour: PictureBudget
 };
 
 struct SceneTilesReport {

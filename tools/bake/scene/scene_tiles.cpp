@@ -60,8 +60,18 @@ CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObjec
     if (prepared->lacks_heights)
       drape_.add(triangles, last_feature_);
     else
-      tiles_.add(triangles, last_feature_, prepared->closed, prepared->pictures.pieces);
+      tiles_.add(triangles, last_feature_, prepared->closed, find_pieces(*prepared));
   };
+}
+
+// Returns the pictures of an object: none where the budget has ended, and then its surfaces keep
+// their mean colours.
+std::span<const PicturePiece> SceneTiles::find_pieces(const PreparedObject& prepared) {
+  const std::vector<PicturePiece>& pieces = prepared.pictures.pieces;
+  if (options_.picture_budget && prepared.pictured_polygons > 0 &&
+      !options_.picture_budget->take(pieces, prepared.pictured_polygons))
+    return {};
+  return pieces;
 }
 
 // Returns whether the object's surfaces are not shown: it becomes a tree, or nothing.
@@ -121,6 +131,8 @@ terrain::Extent SceneTiles::extent() {
 SceneTilesReport SceneTiles::write(const Georeference& georeference, const City& city,
                                    const ProgressSink& progress) {
   const std::vector<TileKey> keys = tiles_.tiles();
+  if (options_.picture_budget)
+    report_.textures.beyond_limit = options_.picture_budget->surfaces_left_out();
   HiddenCounts hidden;
   std::size_t begun = 0, done = 0, flat = 0;
   const auto next = [&] {

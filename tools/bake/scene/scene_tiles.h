@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "formats/scene_writer.h"
 #include "tools/bake/city/city.h"
 #include "tools/bake/city/city_consumer.h"
+#include "tools/bake/city/picture_budget.h"
 #include "tools/bake/progress.h"
 #include "tools/bake/report/scene_report.h"
 #include "tools/bake/scene/cover_ground.h"
@@ -31,6 +33,7 @@ struct SceneTileOptions {
   bool skins = true;         // give buildings without a colour the finish of their use and age
   trees::Vegetation vegetation = trees::Vegetation::trees;  // of the model
   unsigned threads = 0;                                     // 0: one a core
+  std::shared_ptr<PictureBudget> picture_budget;            // null: no limit
 };
 
 /// Each object becomes a feature of the writer, and its triangles wait on disk, sorted into tiles.
@@ -77,6 +80,7 @@ class SceneTiles final : public CityConsumer {
   WrittenTile build(const TileKey& key, const SceneInstance& place, const City& city);
   void write(WrittenTile&& tile);
   void count(const CoverCounts& cover);
+  std::span<const PicturePiece> find_pieces(const PreparedObject& prepared);
   bool stands_otherwise(const PreparedObject& prepared) const;
   std::uint32_t add_feature(const city::CityObject& object);
 

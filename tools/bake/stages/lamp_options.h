@@ -1,6 +1,7 @@
 // Options that decide how the lamps of a city are made.
 #pragma once
 
+#include <compare>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct LuminaireFile {
   std::vector<lights::LampType> types;  // empty: every type
   std::vector<std::string> models;      // as an inventory names them; empty: every one
   bool take_flux = true;                // false: the lumens stay those of the table of defaults
+
+  auto operator<=>(const LuminaireFile&) const = default;
 };
 
 struct LampStageOptions {

@@ -1,5 +1,6 @@
 #include "tools/bake/stages/lamp_stage.h"
 
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -10,12 +11,17 @@
 namespace nightcity::bake {
 namespace {
 
-// Adds to `notes` what the files name and is not used.
+// Adds to `notes` what the files name and is not used. Several rows may name one file, for other
+// lamps each: it is read once.
 lights::LampOptions read_luminaires(const std::vector<LuminaireFile>& files,
                                     std::map<std::string, std::size_t>& notes) {
   lights::LampOptions options;
+  std::map<std::filesystem::path, lights::Luminaire> known;
   for (const LuminaireFile& choice : files) {
-    const lights::Luminaire luminaire = lights::read_luminaire(choice.file);
+    auto found = known.find(choice.file);
+    if (found == known.end())
+      found = known.emplace(choice.file, lights::read_luminaire(choice.file)).first;
+    const lights::Luminaire& luminaire = found->second;
     for (const std::string& note : luminaire.notes)
       ++notes[choice.file.filename().string() + ": " + note];
     options.luminaires.push_back({choice.file.string(), luminaire.photometry(), choice.highways,
