@@ -204,6 +204,26 @@ TEST(CityGmlForms, WhatHasEndedIsLeftOutAndCounted) {
     EXPECT_EQ(read_with(property).objects.size(), 2u) << property;
 }
 
+// Neither is valid, and both are written: what is meant is read, what cannot be is counted.
+TEST(CityGmlForms, RingsBeyondTheSchemasAreHolesOrCounted) {
+  const auto square = [](const std::string& from, const std::string& to) {
+    return ring(from + " " + from + " 1 " + to + " " + from + " 1 " + to + " " + to + " 1 " + from +
+                " " + to + " 1 " + from + " " + from + " 1");
+  };
+  const City city = read(city_model(member(house_of(
+      "b", boundary("RoofSurface",
+                    surface_member("<gml:Polygon><gml:exterior>" + square("0", "10") +
+                                   "</gml:exterior><gml:interior>" + square("1", "2") +
+                                   square("4", "6") + "</gml:interior><gml:exterior>" +
+                                   square("20", "30") + "</gml:exterior></gml:Polygon>"))))));
+  ASSERT_EQ(city.objects.at(0).polygons.size(), 1u);
+  const city::Polygon& roof = city.objects[0].polygons[0];
+  EXPECT_EQ(roof.exterior.front(), glm::dvec3(0, 0, 1));
+  ASSERT_EQ(roof.interiors.size(), 2u);
+  EXPECT_EQ(roof.interiors[1].front(), glm::dvec3(4, 4, 1));
+  EXPECT_EQ(city.report.skipped.at("ring: a further exterior of its polygon"), 1u);
+}
+
 // A group may have an outline of its own beside its members.
 TEST(CityGmlForms, TheGeometryOfAGroupIsCounted) {
   const City city = read(city_model(
