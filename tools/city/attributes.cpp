@@ -31,13 +31,15 @@ void set_storeys(CityObject& object, std::string_view value) {
     object.storeys_above_ground = static_cast<int>(std::lround(*storeys));
 }
 
-void set_storey_heights(CityObject& object, std::string_view value) {
+void set_storey_heights(CityObject& object, std::string_view value, std::string_view unit) {
   constexpr double max_storey_m = 100;
+  const double metres_per = find_metres_per(unit).value_or(1);
   while (!(value = trim(value)).empty()) {
     const auto end = std::min(value.find_first_of(" \t\r\n"), value.size());
     const auto height = parse_number(value.substr(0, end));
-    if (height && !is_sentinel(*height) && *height > 0 && *height < max_storey_m)
-      object.storey_heights_m.push_back(*height);
+    const double metres = height.value_or(0) * metres_per;
+    if (height && !is_sentinel(*height) && metres > 0 && metres < max_storey_m)
+      object.storey_heights_m.push_back(metres);
     value.remove_prefix(end);
   }
 }
@@ -78,7 +80,7 @@ bool set_attribute(CityObject& object, std::string_view name, std::string_view v
   else if (name == "storeysaboveground")
     set_storeys(object, value);
   else if (name == "storeyheightsaboveground")
-    set_storey_heights(object, value);
+    set_storey_heights(object, value, unit);
   else if (name == "yearofconstruction" || name == "dateofconstruction")
     object.year = value.substr(0, 4);  // a year, or a date that begins with one
   else

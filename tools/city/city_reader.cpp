@@ -11,11 +11,12 @@ void tell_flat_buildings(const std::filesystem::path& file, ReadReport& report) 
   if (report.extruded > 0)
     report.warnings.push_back(file.string() + ": " + std::to_string(report.extruded) +
                               " buildings have a footprint alone (LoD0): made blocks of their "
-                              "measured height");
+                              "measured height or their storeys");
   if (report.flat > 0)
-    report.warnings.push_back(file.string() + ": " + std::to_string(report.flat) +
-                              " buildings have a footprint alone (LoD0) and no measured height: "
-                              "they are flat");
+    report.warnings.push_back(
+        file.string() + ": " + std::to_string(report.flat) +
+        " buildings have a footprint alone (LoD0) and neither a measured height nor "
+        "storeys: they are flat");
 }
 
 void make_texts_valid(ReadReport& report) {

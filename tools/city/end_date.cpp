@@ -1,13 +1,25 @@
 #include "tools/city/end_date.h"
 
 #include <charconv>
+#include <string>
 
+#include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 
 namespace nightcity::city {
 
 bool is_end_date(std::string_view name) {
-  return name == "terminationdate" || name == "validto";
+  return name == "terminationdate" || name == "validto" || name == "dateofdemolition";
+}
+
+bool is_condition(std::string_view name) {
+  return name == "conditionofconstruction";
+}
+
+bool is_nothing_built(std::string_view condition) {
+  condition = trim(condition);
+  const std::string word = to_lower(condition.substr(condition.find_last_of("/:#") + 1));
+  return word == "demolished" || word == "projected" || word == "planned" || word == "declined";
 }
 
 bool is_past(std::string_view date, std::chrono::sys_days today) {

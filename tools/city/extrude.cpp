@@ -1,7 +1,9 @@
 #include "tools/city/extrude.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "tools/city/ring.h"
 
@@ -75,15 +77,27 @@ bool is_flat_building(const CityObject& object) {
                      [](const Polygon& polygon) { return is_level(polygon); });
 }
 
+std::optional<double> find_block_height_m(const CityObject& object) {
+  constexpr double storey_m = 3;
+  if (object.measured_height_m) return object.measured_height_m;
+  const std::vector<double>& stated = object.storey_heights_m;
+  const double sum = std::accumulate(stated.begin(), stated.end(), 0.0);
+  if (!object.storeys_above_ground) return stated.empty() ? std::nullopt : std::optional(sum);
+  if (*object.storeys_above_ground <= 0) return {};
+  const double mean = stated.empty() ? storey_m : sum / static_cast<double>(stated.size());
+  return *object.storeys_above_ground * mean;
+}
+
 bool extrude_flat_building(CityObject& object, double height_unit_m) {
-  if (!object.measured_height_m || !is_flat_building(object)) return false;
+  const std::optional<double> height_m = find_block_height_m(object);
+  if (!height_m || !is_flat_building(object)) return false;
   const auto is_footprint = [](const Polygon& p) { return p.surface != SurfaceType::roof; };
   const bool footprints = std::any_of(object.polygons.begin(), object.polygons.end(), is_footprint);
   std::vector<Polygon> blocks;
   for (Polygon& plan : object.polygons)
     if (!footprints || is_footprint(plan)) {
       plan.picture.reset();  // it is no picture of the block's sides
-      add_block(std::move(plan), *object.measured_height_m / height_unit_m, blocks);
+      add_block(std::move(plan), *height_m / height_unit_m, blocks);
     }
   object.polygons = std::move(blocks);
   return true;

@@ -1,6 +1,8 @@
 // Makes blocks of buildings that are published as a footprint and a height.
 #pragma once
 
+#include <optional>
+
 #include "tools/city/city_model.h"
 
 namespace nightcity::city {
@@ -8,8 +10,12 @@ namespace nightcity::city {
 /// Returns whether the object is a building that is nothing but level polygons of LoD0.
 bool is_flat_building(const CityObject& object);
 
-/// Replaces a flat building's polygons by blocks of its measured height, without measure changing
-/// nothing and returning false: floor, roof and walls, holes as courtyards. A footprint lies at the
+/// Returns how high a building is by its measured height, else by its storeys: these times the mean
+/// of the heights that are stated of them, or 3 m, as maps' levels count. Empty without either.
+std::optional<double> find_block_height_m(const CityObject& object);
+
+/// Replaces a flat building's polygons by blocks of the height above; without one it changes
+/// nothing and returns false: floor, roof and walls, holes as courtyards. A footprint lies at the
 /// block's foot; a roof edge at its top, or at its foot where the file gives it height 0, as files
 /// without heights do. Where there are footprints, roof edges are left out. `height_unit_m`: metres
 /// in the unit of the object's heights.

@@ -160,6 +160,8 @@ const std::unordered_map<std::string_view, P>& properties() {
       {"terminationDate", P::end_date},
       {"validFrom", P::name},
       {"validTo", P::end_date},
+      {"dateOfDemolition", P::end_date},
+      {"conditionOfConstruction", P::condition},
   };
   return table;
 }

@@ -47,8 +47,9 @@ enum class PropertyKind : std::uint8_t {
   points,      // mass points, break lines
   address,
   appearance,
-  height,    // CityGML 3's con:height
-  end_date,  // terminationDate, validTo
+  height,     // CityGML 3's con:height
+  end_date,   // terminationDate, validTo, dateOfDemolition
+  condition,  // conditionOfConstruction
   /// gml:name, gml:description, creationDate: metadata that nothing here uses, not worth a count.
   name,
 };

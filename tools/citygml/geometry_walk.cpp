@@ -198,6 +198,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
   take_own_srs_name(element, own);
   polygon.srs_name = std::move(own.srs_name);
   RingFault fault = RingFault::no_coordinates;
+  bool has_exterior = false;
   PolygonTexture texture;
   for (const pugi::xml_node& boundary : element.children()) {
     const std::string_view side = local_name(boundary.name());
@@ -206,19 +207,26 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
       if (boundary.type() == pugi::node_element) skipped_.add(boundary.name());
       continue;
     }
-    const pugi::xml_node ring_element = boundary.first_child();
-    city::Ring ring;
-    const RingFault ring_fault = read_ring(ring_element, dimension, ring);
-    if (outer) {
-      fault = ring_fault;
-      if (ring_fault == RingFault::none) texture.add(find_ring_texture(ring_element), ring.size());
-      polygon.exterior = std::move(ring);
-    } else if (ring_fault != RingFault::none) {
-      skipped_.add("hole: " + std::string(name_of(ring_fault)));
-    } else {
-      texture.add(find_ring_texture(ring_element), ring.size());
-      polygon.interiors.push_back(std::move(ring));
-    }
+    // The schema allows one exterior, and one ring in each boundary. Further holes are meant as such.
+    pugi::xml_node ring_element = boundary.first_child();
+    do {
+      city::Ring ring;
+      if (outer && has_exterior) {
+        skipped_.add("ring: a further exterior of its polygon");
+      } else if (const RingFault ring_fault = read_ring(ring_element, dimension, ring); outer) {
+        has_exterior = true;
+        fault = ring_fault;
+        if (ring_fault == RingFault::none)
+          texture.add(find_ring_texture(ring_element), ring.size());
+        polygon.exterior = std::move(ring);
+      } else if (ring_fault != RingFault::none) {
+        skipped_.add("hole: " + std::string(name_of(ring_fault)));
+      } else {
+        texture.add(find_ring_texture(ring_element), ring.size());
+        polygon.interiors.push_back(std::move(ring));
+      }
+      ring_element = ring_element.next_sibling();
+    } while (ring_element);
   }
   if (fault != RingFault::none) {
     skipped_.add("polygon: " + std::string(name_of(fault)));

@@ -104,7 +104,9 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
   if (name == "CityObjectGroup") {
     skipped_.add(element.name());
     for (const pugi::xml_node& property : element.children())
-      if (local_name(property.name()) == "groupMember")
+      if (local_name(property.name()) != "groupMember") {
+        if (count_polygons(property) > 0) skip(property);  // an outline of the group's own
+      } else {
         for (const pugi::xml_node& child : property.children())
           if (child.type() == pugi::node_element) {
             if (local_name(child.name()) == name)
@@ -112,6 +114,7 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
             else
               read_top(child, out);
           }
+      }
     return;
   }
   city::RawObject& raw = out.emplace_back();
@@ -175,6 +178,10 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
       case PropertyKind::end_date:
         raw.has_ended = raw.has_ended || (what.kind == ClassKind::top &&
                                           city::is_past(property.child_value(), today()));
+        break;
+      case PropertyKind::condition:
+        raw.has_ended = raw.has_ended || (what.kind == ClassKind::top &&
+                                          city::is_nothing_built(property.child_value()));
         break;
       case PropertyKind::name:
         break;

@@ -55,6 +55,8 @@ bool read_attributes(const dom::object& object, city::CityObject& said,
     const bool repeats = field == "function" || field == "usage" || field == "class";
     if (city::is_end_date(to_lower(name))) {
       has_ended = has_ended || city::is_past(to_text(value), today());
+    } else if (city::is_condition(to_lower(name))) {
+      has_ended = has_ended || city::is_nothing_built(to_text(value));
     } else if (field.empty()) {
       others += !value.is_null();
     } else if (repeats && value.get(values) == simdjson::SUCCESS) {

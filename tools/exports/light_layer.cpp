@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <filesystem>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/signals.h"
 #include "formats/to_lower.h"
 #include "tools/exports/light_texts.h"
 #include "tools/gdal/guarded_gdal.h"
@@ -18,10 +20,14 @@
 namespace nightcity::exports {
 namespace {
 
-const char* find_driver(const std::filesystem::path& path) {
+struct LayerFormat {
+  const char *driver, *ending;
+};
+
+LayerFormat find_format(const std::filesystem::path& path) {
   const std::string ending = to_lower(path.extension().string());
-  if (ending == ".gpkg") return "GPKG";
-  if (ending == ".fgb") return "FlatGeobuf";
+  if (ending == ".gpkg") return {"GPKG", ".gpkg"};
+  if (ending == ".fgb") return {"FlatGeobuf", ".fgb"};
   throw Error(path.string(), "ends neither with .gpkg (GeoPackage) nor with .fgb (FlatGeobuf)");
 }
 
@@ -38,6 +44,20 @@ constexpr Column columns[] = {
     {"profile", OFTInteger64},    {"hours", OFTString},        {"source_id", OFTString},
     {"position_from", OFTString}, {"height_from", OFTString},  {"flux_from", OFTString},
     {"colour_from", OFTString},   {"profile_from", OFTString}, {"hours_from", OFTString},
+};
+
+// A file that GDAL makes, removed unless it was renamed.
+struct NamedScratch {
+  explicit NamedScratch(std::filesystem::path name)
+      : path(std::move(name)), leftover(path, Leftover::Kind::file) {}
+  NamedScratch(const NamedScratch&) = delete;
+  NamedScratch& operator=(const NamedScratch&) = delete;
+  ~NamedScratch() {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+  std::filesystem::path path;
+  Leftover leftover;
 };
 
 class LayerWriter {
@@ -127,13 +147,14 @@ class LayerWriter {
 }  // namespace
 
 std::size_t write_light_layer(const LightFile& lights, const std::filesystem::path& path) {
-  const char* driver = find_driver(path);
+  const LayerFormat format = find_format(path);
   gdal::register_drivers();
   const gdal::Guard guard;
   AtomicPath output(path);
-  std::error_code ignored;
-  std::filesystem::remove(output.scratch(), ignored);  // GDAL wants to make it itself
-  LayerWriter(lights, output.scratch(), driver, path.string()).write();
+  // GDAL goes by the ending: a FlatGeobuf of another name becomes a folder.
+  const NamedScratch made(output.scratch().string() + format.ending);
+  LayerWriter(lights, made.path, format.driver, path.string()).write();
+  std::filesystem::rename(made.path, output.scratch());
   output.commit();
   return lights.lights().size();
 }

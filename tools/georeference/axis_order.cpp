@@ -37,7 +37,7 @@ Candidates rate_orders(const SourceCrs& crs, const AxisOrder& expected,
   for (std::size_t i = 0; i < order_count; ++i) {
     std::vector<glm::dvec2> points;
     for (const glm::dvec3& c : sample) points.push_back(all.orders[i].east_north(c));
-    all.places[i] = crs.to_own_lon_lat(find_median(points) * crs.unit_to_metre());
+    all.places[i] = crs.to_own_lon_lat(crs.to_metres_or_degrees(find_median(points)));
     all.fits[i] = rate_fit(crs, all.places[i]);
   }
   return all;

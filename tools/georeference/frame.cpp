@@ -105,7 +105,7 @@ void CityFrame::State::leave_stretched_grid(const glm::dvec2& centre) {
 
 // Returns the place on the plane of coordinates as in the file, east first.
 glm::dvec2 CityFrame::State::to_plane(const glm::dvec2& east_north) const {
-  if (!stretched) return plane->forward(east_north);
+  if (!stretched) return plane->forward(source->to_metres_or_degrees(east_north));
   return plane->forward(stretched->to_own_lon_lat(east_north * unit));
 }
 
@@ -128,7 +128,8 @@ void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definiti
     std::vector<glm::dvec2> lon_lat;
     for (const glm::dvec3& c : sample) {
       const glm::dvec2 en = order.east_north(c);
-      lon_lat.push_back(stretched ? stretched->to_own_lon_lat(en * unit) : en);
+      lon_lat.push_back(stretched ? stretched->to_own_lon_lat(en * unit)
+                                  : source->to_metres_or_degrees(en));
     }
     glm::dvec2 centre = find_median(lon_lat);
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) centre = {0, 0};

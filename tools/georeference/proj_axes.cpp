@@ -6,6 +6,21 @@
 #include <string_view>
 
 namespace nightcity::georeference {
+namespace {
+
+constexpr double degrees_per_radian = 57.29577951308232;  // PROJ states angular units in radians
+
+// Paris, Ferro, Rome, Lisbon, Oslo and others are where longitudes of old surveys begin.
+double read_meridian(PJ_CONTEXT* context, const PJ* crs) {
+  const PjPtr meridian{proj_get_prime_meridian(context, crs)};
+  double longitude = 0, factor = 0;
+  if (!meridian ||
+      !proj_prime_meridian_get_parameters(context, meridian.get(), &longitude, &factor, nullptr))
+    return 0;
+  return longitude * factor * degrees_per_radian;
+}
+
+}  // namespace
 
 bool is_geographic(const PJ* crs) {
   const PJ_TYPE type = proj_get_type(crs);
@@ -13,10 +28,10 @@ bool is_geographic(const PJ* crs) {
 }
 
 std::optional<ProjAxes> ProjAxes::read(PJ_CONTEXT* context, const PJ* crs) {
-  constexpr double degrees_per_radian = 57.29577951308232;  // PROJ states angular units in radians
   const PjPtr system{proj_crs_get_coordinate_system(context, crs)};
   if (!system || proj_cs_get_axis_count(context, system.get()) < 2) return {};
   ProjAxes axes;
+  if (is_geographic(crs)) axes.meridian = read_meridian(context, crs);
   bool have_east = false, have_north = false;
   for (int i = 0; i < 2; ++i) {
     const char* direction = nullptr;
@@ -71,7 +86,7 @@ std::optional<ProjAxes> ProjAxes::read_polar(PJ_CONTEXT* context, const PJ* syst
 
 PJ_COORD ProjAxes::to_native(const glm::dvec2& p) const {
   double c[2];
-  c[east_axis] = p.x / east_scale;
+  c[east_axis] = (p.x - meridian) / east_scale;
   c[north_axis] = p.y / north_scale;
   return proj_coord(c[0], c[1], 0, HUGE_VAL);
 }
@@ -79,7 +94,7 @@ PJ_COORD ProjAxes::to_native(const glm::dvec2& p) const {
 glm::dvec2 ProjAxes::from_native(const PJ_COORD& c) const {
   if (!std::isfinite(c.v[0]) || !std::isfinite(c.v[1]))
     return glm::dvec2{std::numeric_limits<double>::quiet_NaN()};
-  return {c.v[east_axis] * east_scale, c.v[north_axis] * north_scale};
+  return {c.v[east_axis] * east_scale + meridian, c.v[north_axis] * north_scale};
 }
 
 }  // namespace nightcity::georeference

@@ -18,11 +18,13 @@ using PjPtr = std::unique_ptr<PJ, PjDeleter>;
 using PjContextPtr = std::unique_ptr<PJ_CONTEXT, PjDeleter>;
 
 /// Converts between a CRS's own coordinates and (east, north) in metres or (longitude, latitude) in
-/// degrees.
+/// degrees from Greenwich.
 struct ProjAxes {
   int east_axis = 0, north_axis = 1;
   /// Metres or degrees per unit; negative for axes that point west or south.
   double east_scale = 1, north_scale = 1;
+  /// Degrees east of Greenwich from which longitudes count; 0 for metres.
+  double meridian = 0;
   /// The grid is laid round a pole: its eastings and northings are names, and no directions.
   bool is_polar = false;
 

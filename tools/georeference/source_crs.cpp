@@ -80,7 +80,10 @@ void SourceCrs::State::read_identity(const std::string& definition) {
   // metres already.)
   const char* text = proj_as_proj_string(context.get(), crs.get(), PJ_PROJ_4, nullptr);
   if (!text) return;
-  const std::string in_units = text;
+  std::string in_units = text;
+  // The frame's axes point east and north, whichever way the register's do.
+  if (const auto at = in_units.find("+axis="); at != std::string::npos)
+    in_units.erase(at, in_units.find(' ', at) - at + 1);
   for (const char* key : {"+units=", "+to_meter="}) {
     const auto at = in_units.find(key);
     if (at == std::string::npos) continue;
@@ -195,6 +198,15 @@ glm::dvec2 SourceCrs::to_wgs84(const glm::dvec2& east_north) const {
       proj_trans(state_->operation.get(), PJ_INV, state_->axes.to_native(east_north));
   if (!std::isfinite(c.xy.x) || !std::isfinite(c.xy.y)) return no_answer;
   return {c.xy.x, c.xy.y};
+}
+
+glm::dvec2 SourceCrs::to_metres_or_degrees(const glm::dvec2& numbers) const {
+  const ProjAxes& axes = state_->axes;
+  if (!state_->geographic) return numbers * unit_to_metre();
+  // Degrees stay what they are, to the last bit, although their factor is a rounded number.
+  const bool are_degrees = std::abs(std::abs(axes.east_scale) - 1) < 1e-9;
+  const glm::dvec2 degrees = are_degrees ? numbers : numbers * std::abs(axes.east_scale);
+  return {degrees.x + axes.meridian, degrees.y};
 }
 
 glm::dvec2 SourceCrs::to_own_lon_lat(const glm::dvec2& east_north) const {

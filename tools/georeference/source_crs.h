@@ -44,13 +44,17 @@ class SourceCrs {
   /// Returns whether the grid is laid round a pole, so that its north is none.
   bool is_polar() const;
 
-  /// WGS 84 degrees to (east, north) in metres or (longitude, latitude) in degrees of this CRS, and
-  /// back. NaN where PROJ has no answer.
+  /// WGS 84 degrees to (east, north) in metres or (longitude, latitude) in degrees of this CRS's
+  /// datum from Greenwich, and back. NaN where PROJ has no answer.
   glm::dvec2 from_wgs84(const glm::dvec2& lon_lat) const;
   glm::dvec2 to_wgs84(const glm::dvec2& east_north) const;
 
+  /// Numbers as in a file, east first and with signs of east and north, to metres or degrees from
+  /// Greenwich: feet, grads and longitudes from Paris, Ferro or Rome are turned.
+  glm::dvec2 to_metres_or_degrees(const glm::dvec2& numbers) const;
+
   /// (east, north) to longitude, latitude of the CRS's own datum, which lie within some 100 m of
-  /// WGS 84. Needs no operation between datums, whose choice takes PROJ from a tenth of a second to
+  /// WGS 84, from Greenwich. Needs no operation between datums, whose choice takes PROJ from a tenth of a second to
   /// several.
   glm::dvec2 to_own_lon_lat(const glm::dvec2& east_north) const;
 

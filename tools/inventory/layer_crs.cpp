@@ -63,7 +63,7 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
 
 glm::dvec2 LayerCrs::to_east_north(const glm::dvec2& place) const {
   const glm::dvec2 turned = order_.east_north({place, 0});
-  return crs_->geographic() ? turned : turned * crs_->unit_to_metre();
+  return crs_->to_metres_or_degrees(turned);
 }
 
 glm::dvec2 LayerCrs::to_lon_lat(const glm::dvec2& place) const {

@@ -88,7 +88,8 @@ class LampTagReader {
   }
 
   void read_switching() {
-    lamp_.outage = find_outage(tags_, today(), lamp_.unread);
+    const auto outage = find_outage(tags_, today(), lamp_.unread);
+    lamp_.outage = outage;
     for (const char* key : {"lit", "light:lit"}) {
       const std::string* text = find(key);
       if (!text) continue;
@@ -96,6 +97,13 @@ class LampTagReader {
       if (lit.kind == LitTag::Kind::dark) lamp_.outage = "lit=no";
       if (lit.kind == LitTag::Kind::not_understood) count_unread(key, *text);
       if (!lamp_.hours) lamp_.hours = lit.hours;
+    }
+    if (const std::string* text = find("lit:conditional")) {
+      const bool is_lit = lamp_.outage != "lit=no";
+      const auto hours = lamp_.hours ? std::nullopt : read_lit_condition(*text, is_lit);
+      if (!hours) count_unread("lit:conditional", *text);
+      if (hours) lamp_.outage = outage;
+      if (hours) lamp_.hours = hours;
     }
     lamp_.unlit = !lamp_.outage.empty();
   }

@@ -30,4 +30,34 @@ LitTag read_lit_tag(std::string_view text) {
   return {LitTag::Kind::not_understood, {}};
 }
 
+std::optional<NightSchedule> read_lit_condition(std::string_view text, bool is_lit) {
+  const std::size_t at = text.find('@');
+  if (at == std::string_view::npos || text.find('@', at + 1) != std::string_view::npos) return {};
+  const LitTag then = read_lit_tag(text.substr(0, at));
+  const LitTag::Kind other = is_lit ? LitTag::Kind::dark : LitTag::Kind::lit;
+  const std::size_t open = text.find_first_not_of(' ', at + 1), close = text.find_last_not_of(' ');
+  if (then.kind != other || then.hours || open >= close) return {};
+  const bool has_brackets = text[open] == '(' && text[close] == ')';
+  const auto hours = parse_lit_hours(has_brackets ? text.substr(open + 1, close - open - 1)
+                                                  : text.substr(open, close - open + 1));
+  if (!hours || !is_lit) return hours;
+  NightSchedule rest;
+  std::size_t used = 0;
+  std::uint16_t from = 0;
+  const auto add = [&](std::uint16_t to) {
+    if (from >= to) return true;
+    if (used == rest.on.size()) return false;
+    rest.on[used] = from;
+    rest.off[used++] = to;
+    return true;
+  };
+  for (std::size_t i = 0; i < hours->on.size(); ++i) {
+    if (hours->on[i] >= hours->off[i]) continue;
+    if (!add(hours->on[i])) return {};
+    from = hours->off[i];
+  }
+  if (!add(night_minutes) || rest.never()) return {};
+  return rest;
+}
+
 }  // namespace nightcity::lights

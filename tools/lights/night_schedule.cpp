@@ -27,13 +27,24 @@ std::optional<int> clock_minute(std::string_view text) {
     int& part = parts[i > colon];
     part = 10 * part + text[i] - '0';
   }
-  if (parts[0] > 24 || parts[1] > 59) return std::nullopt;
-  return minute_of(parts[0], parts[1]);
+  if (parts[0] > 48 || parts[1] > 59) return std::nullopt;  // 26:00 is 2:00 of the next day
+  return minute_of(parts[0] % 24, parts[1]);
 }
 
 /// Parses the beginning or end of a span of hours. The sun sets before our night and rises after
-/// it.
+/// it; "(sunset+01:00)", whose minus the tag's normal form turned into an underscore, is an hour
+/// after the first.
 std::optional<int> edge_of_light(std::string_view text) {
+  if (text.starts_with('(') && text.ends_with(')')) {
+    text = text.substr(1, text.size() - 2);
+    const std::size_t sign = text.find_first_of("+_");
+    if (sign == std::string_view::npos) return std::nullopt;
+    const auto event = edge_of_light(text.substr(0, sign));
+    const auto offset = clock_minute(text.substr(sign + 1));
+    if (!event || !offset || text.front() < 'a') return std::nullopt;
+    const int minutes = (*offset + 60 * night_begin_hour) % (24 * 60);
+    return std::clamp(*event + (text[sign] == '+' ? minutes : -minutes), 0, night_minutes);
+  }
   if (text == "sunset" || text == "dusk") return 0;
   if (text == "sunrise" || text == "dawn") return night_minutes;
   return clock_minute(text);
@@ -147,7 +158,8 @@ std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
       if (holds) spans.clear();
       continue;
     }
-    const std::size_t dash = part.find('_');
+    const std::size_t event_end = part.starts_with("(") ? part.find(')') : 0;
+    const std::size_t dash = part.find('_', std::min(event_end, part.size()));
     if (dash == std::string_view::npos) return std::nullopt;
     std::string_view end_part = part.substr(dash);
     while (end_part.starts_with("_")) end_part.remove_prefix(1);

@@ -13,6 +13,7 @@
 #include "formats/light_file.h"
 #include "formats/program/number_check.h"
 #include "formats/scene_reader.h"
+#include "formats/to_lower.h"
 #include "tools/exports/light_layer.h"
 #include "tools/exports/tileset.h"
 #include "tools/nightbake/commands.h"
@@ -97,7 +98,7 @@ void add_export_command(CLI::App& app) {
       "Examples:\n  nightbake export out/berlin -o lights.gpkg\n  nightbake export out/berlin -o "
       "tiles --geoid 39.5");
   command->callback([arguments] {
-    const std::string ending = arguments->out.extension().string();
+    const std::string ending = to_lower(arguments->out.extension().string());
     if (ending == ".gpkg" || ending == ".fgb")
       export_layer(*arguments);
     else

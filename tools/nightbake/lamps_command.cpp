@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
+#include "formats/to_lower.h"
 #include "tools/bake/bake_options.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/layout_report.h"
@@ -41,14 +42,15 @@ bake::BakeOptions read_options(const LampsArguments& arguments) {
 }
 
 void write(const bake::City& city, const lights::LampSet& lamps, const std::filesystem::path& out) {
-  if (out.extension() == ".lights") bake::write_lamp_lights(out, lamps, city.georeference());
-  if (out.extension() == ".osm")
+  const std::string ending = to_lower(out.extension().string());
+  if (ending == ".lights") bake::write_lamp_lights(out, lamps, city.georeference());
+  if (ending == ".osm")
     layout::write_lamp_osm(out, lamps.lamps,
                            [&](const glm::dvec2& p) { return city.frame().to_lon_lat(p); });
 }
 
 void run(const LampsArguments& arguments) {
-  const std::string extension = arguments.out.extension().string();
+  const std::string extension = to_lower(arguments.out.extension().string());
   if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
     throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
   const bake::BakeOptions options = read_options(arguments);
@@ -92,7 +94,8 @@ void add_lamps_command(CLI::App& app) {
                     "has none (a recipe decides this itself)");
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
-      "Without a city model a lamp stands at the height in its tag ele (nightbake elevate writes it), "
+      "Without a city model a lamp stands at the height in its tag ele (nightbake elevate writes "
+      "it), "
       "else at 0.\n"
       "Example: nightbake lamps map.osm.pbf city.gml -o lamps.lights");
   command->callback([arguments] { run(*arguments); });

@@ -185,13 +185,86 @@ TEST(CityGmlForms, WhatHasEndedIsLeftOutAndCounted) {
   };
   for (const char* property :
        {"<core:terminationDate>2001-01-01</core:terminationDate>",
-        "<core:validTo>1990</core:validTo>", "<core:validTo>1990-02-03T00:00:00</core:validTo>"}) {
+        "<core:validTo>1990</core:validTo>", "<core:validTo>1990-02-03T00:00:00</core:validTo>",
+        "<con:dateOfDemolition>2012-05-01</con:dateOfDemolition>",
+        "<con:conditionOfConstruction>demolished</con:conditionOfConstruction>",
+        "<con:conditionOfConstruction> projected </con:conditionOfConstruction>",
+        "<con:conditionOfConstruction>http://inspire.ec.europa.eu/codelist/"
+        "ConditionOfConstructionValue/declined</con:conditionOfConstruction>"}) {
     const City city = read_with(property);
     EXPECT_EQ(city.objects.size(), 1u) << property;
     EXPECT_EQ(city.report.skipped.at(city::ended_object), 1u);
     EXPECT_EQ(city.report.skipped.at("polygon: of an object that ended"), 3u);
   }
-  EXPECT_EQ(read_with("<core:validTo>9998</core:validTo>").objects.size(), 2u);
+  for (const char* property :
+       {"<core:validTo>9998</core:validTo>", "<con:dateOfDemolition>9998</con:dateOfDemolition>",
+        "<con:conditionOfConstruction>functional</con:conditionOfConstruction>",
+        "<con:conditionOfConstruction>ruin</con:conditionOfConstruction>",
+        "<con:conditionOfConstruction>underConstruction</con:conditionOfConstruction>"})
+    EXPECT_EQ(read_with(property).objects.size(), 2u) << property;
+}
+
+// Neither is valid, and both are written: what is meant is read, what cannot be is counted.
+TEST(CityGmlForms, RingsBeyondTheSchemasAreHolesOrCounted) {
+  const auto square = [](const std::string& from, const std::string& to) {
+    return ring(from + " " + from + " 1 " + to + " " + from + " 1 " + to + " " + to + " 1 " + from +
+                " " + to + " 1 " + from + " " + from + " 1");
+  };
+  const City city = read(city_model(member(house_of(
+      "b", boundary("RoofSurface",
+                    surface_member("<gml:Polygon><gml:exterior>" + square("0", "10") +
+                                   "</gml:exterior><gml:interior>" + square("1", "2") +
+                                   square("4", "6") + "</gml:interior><gml:exterior>" +
+                                   square("20", "30") + "</gml:exterior></gml:Polygon>"))))));
+  ASSERT_EQ(city.objects.at(0).polygons.size(), 1u);
+  const city::Polygon& roof = city.objects[0].polygons[0];
+  EXPECT_EQ(roof.exterior.front(), glm::dvec3(0, 0, 1));
+  ASSERT_EQ(roof.interiors.size(), 2u);
+  EXPECT_EQ(roof.interiors[1].front(), glm::dvec3(4, 4, 1));
+  EXPECT_EQ(city.report.skipped.at("ring: a further exterior of its polygon"), 1u);
+}
+
+// A group may have an outline of its own beside its members.
+TEST(CityGmlForms, TheGeometryOfAGroupIsCounted) {
+  const City city = read(city_model(
+      member("<grp:CityObjectGroup><grp:groupMember>" + building("a") + "</grp:groupMember>" +
+             "<grp:geometry>" + multi_surface(surface_member(polygon("p", square_at_one))) +
+             "</grp:geometry></grp:CityObjectGroup>")));
+  EXPECT_EQ(city.objects.size(), 1u);
+  EXPECT_EQ(city.report.skipped.at("grp:CityObjectGroup"), 1u);
+  EXPECT_EQ(city.report.skipped.at("polygon: in grp:geometry"), 1u);
+}
+
+// Without a measured height storeys say how high a footprint's block is.
+TEST(CityGmlForms, ABlockIsAsHighAsItsStoreys) {
+  const std::string plan = "<bldg:lod0FootPrint>" +
+                           multi_surface(surface_member(polygon("p", square_at_one))) +
+                           "</bldg:lod0FootPrint>";
+  struct Case {
+    const char* attributes;
+    double top;
+  };
+  for (const Case& c :
+       {Case{"<bldg:storeysAboveGround>3</bldg:storeysAboveGround>", 10},
+        Case{"<bldg:storeysAboveGround>3</bldg:storeysAboveGround><bldg:storeyHeightsAboveGround "
+             "uom=\"m\">4 3 3.5</bldg:storeyHeightsAboveGround>",
+             11.5},
+        Case{"<bldg:storeyHeightsAboveGround uom=\"cm\">400 300</bldg:storeyHeightsAboveGround>",
+             8},
+        Case{"<bldg:measuredHeight uom=\"m\">7</bldg:measuredHeight>"
+             "<bldg:storeysAboveGround>3</bldg:storeysAboveGround>",
+             8},
+        Case{"<bldg:measuredHeight uom=\"m\">-9999</bldg:measuredHeight>"
+             "<bldg:storeysAboveGround>2</bldg:storeysAboveGround>",
+             7},
+        Case{"<bldg:storeysAboveGround>0</bldg:storeysAboveGround>", 1}}) {
+    const City city = read(city_model(member(house_of("b", c.attributes + plan))));
+    ASSERT_EQ(city.objects.size(), 1u);
+    double top = -1;
+    for (const city::Polygon& one : city.objects[0].polygons)
+      for (const glm::dvec3& p : one.exterior) top = std::max(top, p.z);
+    EXPECT_NEAR(top, c.top, 1e-9) << c.attributes;
+  }
 }
 
 TEST(CityGmlForms, ABlockIsAsHighAsMeasuredInTheUnitOfItsHeights) {

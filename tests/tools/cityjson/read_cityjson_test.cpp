@@ -286,13 +286,16 @@ TEST(CityJson, WhatHasEndedIsLeftOutAndCounted) {
         city_json(object("b", "Building", solid(), "\"attributes\":{" + attributes + "}") + "," +
                   object("c", "Building", solid())));
   };
-  for (const char* past : {"\"validTo\":1990", "\"terminationDate\":\"2001-02-03\""}) {
+  for (const char* past :
+       {"\"validTo\":1990", "\"terminationDate\":\"2001-02-03\"",
+        "\"dateOfDemolition\":\"2012-05-01\"", "\"conditionOfConstruction\":\"demolished\""}) {
     const City city = read(past);
     ASSERT_EQ(city.objects.size(), 1u) << past;
     EXPECT_EQ(city.objects[0].id, "c");
     EXPECT_EQ(city.report.skipped.at("polygon: of an object that ended"), 6u);
   }
   EXPECT_EQ(read("\"validTo\":9998").objects.size(), 2u);
+  EXPECT_EQ(read("\"conditionOfConstruction\":\"functional\"").objects.size(), 2u);
 }
 
 TEST(CityJson, AMeasureMayHaveAUnit) {

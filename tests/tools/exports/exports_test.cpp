@@ -52,8 +52,9 @@ TEST(Exports, EachLightIsARowWithItsPlaceAndProvenance) {
   bake_city(folder);
   const LightFile file = LightFile::open(folder / "out/city.lights");
   ASSERT_GT(file.lights().size(), 0u);
-  for (const char* name : {"l.gpkg", "l.fgb"}) {
+  for (const char* name : {"l.gpkg", "l.fgb", "L.FGB"}) {
     EXPECT_EQ(write_light_layer(file, folder / name), file.lights().size());
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder / name)) << name;
     GDALDatasetUniquePtr set(GDALDataset::Open((folder / name).c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(set);
     OGRLayer* layer = set->GetLayer(0);

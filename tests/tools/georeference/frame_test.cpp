@@ -297,6 +297,45 @@ TEST(Frame, GridsThatCountWestAndSouthAreNoContradiction) {
   expect_near(africa.to_lon_lat({place.x, place.y}), {28.05, -26.2}, 1e-6);
 }
 
+// Surveys that count longitudes from a capital's own observatory. The numbers are those of PROJ 9.1
+// for the places; on the grids' central meridians they are 0 or the false easting in closed form.
+TEST(Frame, GridsCountFromTheirOwnPrimeMeridian) {
+  struct Case {
+    const char* name;
+    glm::dvec2 numbers, lon_lat;
+  };
+  constexpr double oslo = 10 + 43 / 60.0 + 22.5 / 3600, ferro = -(17 + 40 / 60.0);
+  for (const Case& c :
+       {Case{"urn:ogc:def:crs:EPSG::2065", {1042721.363, 742860.083}, {14.42, 50.09}},
+        Case{"urn:ogc:def:crs:EPSG::5221", {-499143.412, -1192339.990}, {18, 49}},
+        Case{"urn:ogc:def:crs:EPSG::20790", {112430.662, 195205.647}, {-9.14, 38.72}},
+        Case{"urn:ogc:def:crs:EPSG::27393", {212654.013, 1785.214}, {10.75, 59.91}},
+        Case{"urn:ogc:def:crs:EPSG::27393", {212654.013, 0}, {oslo, 59.91}},
+        Case{"urn:ogc:def:crs:EPSG::26591", {541417.859, 5107820.927}, {9.19, 45.46}},
+        Case{"urn:ogc:def:crs:EPSG::31253", {341289.389, 2814.281}, {16.37, 48.21}},
+        Case{"urn:ogc:def:crs:EPSG::31253", {341289.389, 0}, {34 + ferro, 48.21}},
+        Case{"urn:ogc:def:crs:EPSG::27572", {997942.494, 1867846.499}, {7.27, 43.70}},
+        Case{"urn:ogc:def:crs:EPSG::4807", {54.27785471, 0.01499310}, {2.35, 48.85}},
+        Case{"urn:ogc:def:crs:EPSG::4807", {48.55552924, 5.48138381}, {7.27, 43.70}}}) {
+    const glm::dvec3 numbers(c.numbers, 100);
+    const CityFrame frame = frame_of(c.name, {numbers});
+    EXPECT_EQ(frame.axis_warning(), "") << c.name;
+    const glm::dvec2 place(project(frame, numbers));
+    // Datums of other centuries lie up to 300 m from WGS 84, and their shifts back within 5 mm.
+    expect_near(frame.to_lon_lat(place), c.lon_lat, 5e-3);
+    expect_near(frame.from_lon_lat(frame.to_lon_lat(place)), place, 5e-3);
+    EXPECT_EQ(frame.crs().find("+axis"), std::string::npos) << frame.crs();
+  }
+}
+
+// A grad is nine tenths of a degree: a thousandth is 100 m of a meridian, by the metre's own
+// definition; on Clarke's ellipsoid of 1880 at 48.85 degrees it is 100.08 m.
+TEST(Frame, GradsAreNoDegrees) {
+  const glm::dvec3 a(54.277, 0.015, 0), b(54.278, 0.015, 0);
+  const CityFrame frame = frame_of("urn:ogc:def:crs:EPSG::4807", {a});
+  EXPECT_NEAR(project(frame, b).y - project(frame, a).y, 100.08, 0.02);
+}
+
 TEST(Frame, KrovakInSouthAndWestIsTurned) {
   // Prague: EPSG:5514 east, north is about (-743000, -1043000); old files hold the positive
   // numbers.

@@ -202,6 +202,31 @@ TEST(LampState, ADateEndsWithItsLastDay) {
     EXPECT_FALSE(parse_days(text)) << text;
 }
 
+TEST(LitTag, ConditionsTakeHoursFromTheNightOrGiveThem) {
+  const auto lit = [](const char* text, bool is_lit) { return read_lit_condition(text, is_lit); };
+  const NightSchedule evening_and_morning = dark_between(360, 720),
+                      evening = dark_between(360, 840);
+  EXPECT_EQ(lit("no @ (23:00-05:00)", true), evening_and_morning);
+  EXPECT_EQ(lit("no @ 23:00-05:00", true), evening_and_morning);
+  EXPECT_EQ(lit("off@(23:00-sunrise) ", true), evening);
+  EXPECT_EQ(lit("yes @ (sunset-23:00)", false), evening);
+  EXPECT_EQ(lit("yes @ (sunset-23:00; 05:00-sunrise)", false), evening_and_morning);
+  for (const char* text : {"", "no", "no @", "no @ ()", "no @ (snow)", "yes @ (23:00-05:00)",
+                           "no @ (sunset-sunrise)", "no @ (23:00-05:00); yes @ (Fr)", "@ (", "@"})
+    EXPECT_FALSE(lit(text, true)) << text;
+
+  osm::OsmTags tags{{"lit", "yes"}, {"lit:conditional", "no @ (23:00-05:00)"}};
+  EXPECT_EQ(read_lamp_tags(tags).hours, evening_and_morning);
+  tags["lit"] = "no";
+  EXPECT_TRUE(read_lamp_tags(tags).unlit);
+  EXPECT_EQ(read_lamp_tags(tags).unread.size(), 1u);
+  tags["lit:conditional"] = "yes @ (sunset-23:00)";
+  EXPECT_FALSE(read_lamp_tags(tags).unlit);
+  EXPECT_EQ(read_lamp_tags(tags).hours, evening);
+  tags["disused"] = "yes";
+  EXPECT_TRUE(read_lamp_tags(tags).unlit);
+}
+
 TEST(LitTag, EveryValueIsLitDarkUnknownOrNotUnderstood) {
   using Kind = LitTag::Kind;
   for (const char* text : {"yes", "24/7", "automatic", "sunset-sunrise", "dusk-dawn", "limited",

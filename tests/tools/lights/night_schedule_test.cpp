@@ -101,6 +101,10 @@ TEST(NightSchedule, LitHoursAsPeopleWriteThem) {
       {"22:00-24:00", night({{300, 420}})},
       {"16:00-08:00", night({{0, 840}})},
       {"06:00-08:00", night({{780, 840}})},
+      {"18:00-26:00", night({{60, 540}})},
+      {"(sunset+01:00)-23:00", night({{60, 360}})},
+      {"(sunset-00:30)-(sunrise+00:30)", night({{0, 840}})},
+      {"(sunset+00:15) - 23:00, (dawn-01:30)-sunrise", night({{15, 360}, {750, 840}})},
   };
   for (const auto& [text, schedule] : known) {
     const auto hours = parse_lit_hours(text);
@@ -108,7 +112,9 @@ TEST(NightSchedule, LitHoursAsPeopleWriteThem) {
     EXPECT_EQ(*hours, schedule) << text;
   }
   for (const char* text :
-       {"", "yes", "sometimes", "23:00", "23:00-", "08:00-16:00", "20:00-22:00;21:00-23:00"})
+       {"", "yes", "sometimes", "23:00", "23:00-", "08:00-16:00", "20:00-22:00;21:00-23:00",
+        "18:00-49:00", "(sunset)-23:00", "(20:00+01:00)-23:00", "(sunset+)-23:00", "(sunset+01:00",
+        "()-23:00", "("})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
 }
 

@@ -56,6 +56,21 @@ TEST(LampsCommand, WithoutACityLampsStandAtTheirTaggedHeight) {
   EXPECT_NEAR(file.lights()[1].position.y, 6, 1e-3);
 }
 
+TEST(LampsCommand, SaysHowManyNodesHaveNoPlace) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", R"(<osm version="0.6">
+<node id="1" lat="52.5103" lon="13.3941"><tag k="highway" v="street_lamp"/></node>
+<node id="2" lat="91" lon="13.3941"><tag k="highway" v="street_lamp"/></node>
+<node id="3" lat="52,5" lon="13,4"><tag k="highway" v="street_lamp"/></node>
+<node id="4"><tag k="highway" v="street_lamp"/></node>
+</osm>)");
+  const Outcome outcome = nightbake("lamps " + quoted(folder / "map.osm") + "--json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["placed"], 1);
+  EXPECT_NE(outcome.err.find("map.osm: 3 nodes left out: their coordinates"), std::string::npos)
+      << outcome.err;
+}
+
 TEST(LampsCommand, ItsOsmFileReadsBackAsTheSameLamps) {
   const TempFolder folder;
   test::write_sample(folder);

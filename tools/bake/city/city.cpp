@@ -80,6 +80,11 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
     fmt::print(stderr,
                "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
                inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
+  if (map_.bad_coordinates > 0)
+    fmt::print(stderr,
+               "note: {}: {} nodes left out: their coordinates are missing, no numbers or not on "
+               "the globe\n",
+               inputs_.maps.front().string(), map_.bad_coordinates);
   if (map_.gone > 0)
     fmt::print(stderr,
                "note: {}: {} elements left out: they are gone or not built yet (end_date, "
