@@ -7,7 +7,7 @@
 
 namespace nightcity::inputs {
 
-/// Which of several mentions of a file keeps its place in the list.
+/// Says which of several mentions of a file keeps its place in the list.
 enum class Mention { first, last };
 
 struct NamedOnce {

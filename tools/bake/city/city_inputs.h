@@ -40,7 +40,7 @@ struct CityInputs {
   double simplify_m = 0;
   double texels_per_m = 5;     // of pictures on surfaces, at most
   int max_picture_mpx = 2000;  // a limit: millions of texels of all pictures on surfaces
-  /// Of the bake that reads the city; null: whoever reads it makes all pictures.
+  /// The budget of the bake that reads the city; null: whoever reads it makes all pictures.
   std::shared_ptr<const PictureBudget> picture_budget;
   int max_road_points = streets::default_max_road_points;  // a limit: chordal_axis()
   bool drops_roads = false;  // of the model, where there is a map: its streets stand for them
