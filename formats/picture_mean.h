@@ -65,8 +65,8 @@ class Picture {
 std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha,
                                             std::int64_t max_pixels = max_picture_pixels);
 
-/// Returns the pixels that a picture says it has; nothing where the bytes are no PNG or JPEG, or one
-/// that Picture::read refuses for what its chunks or tables claim.
+/// Returns the pixels that a picture says it has; nothing where the bytes are no PNG or JPEG, or
+/// one that Picture::read refuses for what its chunks or tables claim.
 std::optional<std::int64_t> count_picture_pixels(std::span<const std::byte> bytes);
 
 /// The limits of PictureBudget in words, for messages about a picture beyond it.

@@ -8,6 +8,7 @@
 
 #include "runtime/gpu/device.h"
 #include "runtime/measure/table.h"
+#include "runtime/render/settings.h"
 
 namespace nightcity::experiments {
 
@@ -16,7 +17,7 @@ struct StrategiesOptions {
   std::filesystem::path folder;  // gets strategies.csv and the reference pictures
   std::uint32_t width = 320, height = 180;
   std::vector<std::size_t> lights;  // numbers of lamps
-  std::uint32_t candidates = 24, reference_frames = 8;
+  std::uint32_t candidates = render::SamplingSettings{}.candidates, reference_frames = 8;
   std::uint32_t frames = 16;  // whose mean is measured, beside a single frame
 };
 

@@ -67,11 +67,11 @@ double find_student_bound(double probability, double freedom);
 /// Student's t times the standard error. Nothing for fewer than two values.
 std::optional<double> find_confidence(const std::vector<double>& values, double level);
 
-/// Returns the standard error of the mean of values that follow each other and may be correlated, as
-/// errors of frames that reuse each other's samples are: that of independent values times the root
-/// of the integrated autocorrelation time, whose sum ends with the initial positive sequence (Geyer
-/// 1992, section 3.3). A series that is not many times as long as its values are correlated has too
-/// small a one. 0 for fewer than two values.
+/// Returns the standard error of the mean of values that follow each other and may be correlated,
+/// as errors of frames that reuse each other's samples are: that of independent values times the
+/// root of the integrated autocorrelation time, whose sum ends with the initial positive sequence
+/// (Geyer 1992, section 3.3). A series that is not many times as long as its values are correlated
+/// has too small a one. 0 for fewer than two values.
 double find_series_error(const std::vector<double>& series);
 
 /// Returns the level of each of `tests` independent tests whose joint level is `significance`

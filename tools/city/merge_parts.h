@@ -69,8 +69,8 @@ struct RawObject {
 /// Returns the object with the highest LoD up to `options.max_lod` of every space (of a space that
 /// has only higher ones, the lowest of them). Leaves out polygons that repeat another's vertices (a
 /// solid's copy of a wall). Counts every polygon left out in `report.skipped`, by reason. Buildings
-/// that have LoD0 alone become blocks of their measured height or storeys (extrude.h). Texts become valid
-/// UTF-8.
+/// that have LoD0 alone become blocks of their measured height or storeys (extrude.h). Texts become
+/// valid UTF-8.
 CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report);
 
 }  // namespace nightcity::city

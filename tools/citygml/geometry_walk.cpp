@@ -207,7 +207,8 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
       if (boundary.type() == pugi::node_element) skipped_.add(boundary.name());
       continue;
     }
-    // The schema allows one exterior, and one ring in each boundary. Further holes are meant as such.
+    // The schema allows one exterior, and one ring in each boundary. Further holes are meant as
+    // such.
     pugi::xml_node ring_element = boundary.first_child();
     do {
       city::Ring ring;

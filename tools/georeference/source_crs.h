@@ -54,8 +54,8 @@ class SourceCrs {
   glm::dvec2 to_metres_or_degrees(const glm::dvec2& numbers) const;
 
   /// (east, north) to longitude, latitude of the CRS's own datum, which lie within some 100 m of
-  /// WGS 84, from Greenwich. Needs no operation between datums, whose choice takes PROJ from a tenth of a second to
-  /// several.
+  /// WGS 84, from Greenwich. Needs no operation between datums, whose choice takes PROJ from a
+  /// tenth of a second to several.
   glm::dvec2 to_own_lon_lat(const glm::dvec2& east_north) const;
 
   /// Returns whether a place (degrees) lies in the area of use, widened by `margin_deg`. True when

@@ -46,7 +46,8 @@ std::size_t find_last_word(std::string_view heading) {
 }
 
 // Returns the unit that the heading of a column ends in where it is not the one that lamps are read
-// in: "Mounting height (ft)", "HEIGHT_FT", "HeightFeet", "Flux [klm]". A table says it there once for all rows.
+// in: "Mounting height (ft)", "HEIGHT_FT", "HeightFeet", "Flux [klm]". A table says it there once
+// for all rows.
 std::string_view find_unit(std::string_view property, std::string_view heading) {
   struct Unit {
     std::string_view property, word, unit;

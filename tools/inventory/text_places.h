@@ -32,8 +32,8 @@ class TextPlaces {
   OGRGeometryUniquePtr read_geometry(const OGRFeature& row) const;
   /// Returns longitude and latitude of a row by two columns with angles.
   std::optional<glm::dvec2> read_lon_lat(const OGRFeature& row) const;
-  /// Returns a row's place in a grid by two columns with numbers of whose digits some stand in groups
-  /// ("2'600'000", "391 403,3", "5.817.859,1"); none where the table has angles.
+  /// Returns a row's place in a grid by two columns with numbers of whose digits some stand in
+  /// groups ("2'600'000", "391 403,3", "5.817.859,1"); none where the table has angles.
   std::optional<glm::dvec2> read_grouped(const OGRFeature& row) const;
 
  private:

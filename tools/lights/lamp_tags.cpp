@@ -101,9 +101,12 @@ class LampTagReader {
     if (const std::string* text = find("lit:conditional")) {
       const bool is_lit = lamp_.outage != "lit=no";
       const auto hours = lamp_.hours ? std::nullopt : read_lit_condition(*text, is_lit);
-      if (!hours) count_unread("lit:conditional", *text);
-      if (hours) lamp_.outage = outage;
-      if (hours) lamp_.hours = hours;
+      if (hours) {
+        lamp_.outage = outage;
+        lamp_.hours = hours;
+      } else {
+        count_unread("lit:conditional", *text);
+      }
     }
     lamp_.unlit = !lamp_.outage.empty();
   }

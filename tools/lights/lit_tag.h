@@ -20,10 +20,10 @@ struct LitTag {
 /// 5:00 (half-night switching).
 LitTag read_lit_tag(std::string_view text);
 
-/// Reads a value of `lit:conditional` (OSM wiki, Conditional restrictions) beside a lamp that is lit
-/// all night or not at all: "no @ (23:00-05:00)" takes these hours from the night of a lit one, "yes
-/// @ (sunset-23:00)" gives them to a dark one. Returns the hours of light; empty where the text
-/// cannot be read, has several conditions or says what `lit` says.
+/// Reads a value of `lit:conditional` (OSM wiki, Conditional restrictions) beside a lamp that is
+/// lit all night or not at all: "no @ (23:00-05:00)" takes these hours from the night of a lit one,
+/// "yes @ (sunset-23:00)" gives them to a dark one. Returns the hours of light; empty where the
+/// text cannot be read, has several conditions or says what `lit` says.
 std::optional<NightSchedule> read_lit_condition(std::string_view text, bool is_lit);
 
 }  // namespace nightcity::lights

@@ -45,9 +45,9 @@ class OsmCollector {
   /// same in one file only.
   void begin_file() { ++file_; }
 
-  /// What is gone today or not built yet is left out and counted; lamps say themselves why they do
-  /// not shine. `tags` may be empty. Coordinates in degrees; nodes that are not finite or off the globe are
-  /// counted and skipped, except for deleted ones.
+  /// Leaves out and counts whatever is gone today or not built yet; lamps say themselves why they
+  /// do not shine. `tags` may be empty. Coordinates in degrees; nodes that are not finite or off
+  /// the globe are counted and skipped, except for deleted ones.
   void add_node(std::int64_t id, OsmVersion version, const glm::dvec2& lon_lat, OsmTags tags);
   void count_bad_node() { ++nodes_, ++data_.bad_coordinates; }
   void add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes, OsmTags tags);

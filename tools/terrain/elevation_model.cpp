@@ -39,7 +39,8 @@ bool is_fill_value(double stored, double metres) {
 }
 
 // Tells the ends of a type of whole numbers, which producers write where they know nothing, from
-// heights that a scale makes of others: -32768 in centimetres would be a pit of 328 m. 0 is a height.
+// heights that a scale makes of others: -32768 in centimetres would be a pit of 328 m. 0 is a
+// height.
 bool is_end_of_type(double stored, GDALDataType type) {
   switch (type) {
     case GDT_Int16:

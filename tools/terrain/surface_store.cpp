@@ -59,8 +59,8 @@ struct SurfaceStore::Loaded {
     return most;
   }
 
-  // Where one object was exported thousands of times, each place would be looked for in all of
-  // them, and each gives the same height.
+  // Each place would be looked for in all copies of an object that was exported thousands of times,
+  // and each of them gives the same height.
   void remove_repeats() {
     const auto key = [](const Triangle& triangle) {
       return std::bit_cast<std::array<std::uint64_t, 9>>(triangle);

@@ -162,7 +162,8 @@ TEST(PointLamp, IsAPoint) {
 
 // Lamps behind a wall that would give up to a million times the light of those before it: every
 // pixel finds the visible ones in every frame, so that 48 frames are within a quarter of the truth
-// in 49 of 50 pixels, and their mean within 5 %; with 32 candidates and four partners 32 frames are.
+// in 49 of 50 pixels, and their mean within 5 %; with 32 candidates and four partners 32 frames
+// are.
 TEST(HiddenLamps, ThatOutshineTheRestDoNotDarkenThePicture) {
   std::vector<Light> visible;
   std::mt19937 random(1);

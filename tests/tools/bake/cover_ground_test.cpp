@@ -122,8 +122,8 @@ TEST(CoverGround, ALoweredKerbHasTheAreaOfItsProfileAndNoGaps) {
   }
 }
 
-// Outlines that cross the ground's border in one place leave slivers there, whose corners are rounded
-// to where no triangle of the ground is.
+// Outlines that cross the ground's border in one place leave slivers there, whose corners are
+// rounded to where no triangle of the ground is.
 TEST(CoverGround, SliversAtTheGroundsBorderLieInItsPlane) {
   Cover cover;
   std::mt19937 random(1);

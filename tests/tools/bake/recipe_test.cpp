@@ -148,7 +148,7 @@ TEST(Recipe, WhatIsNamedAgainCountsOnceAndIsSaid) {
   EXPECT_EQ(recipe.city.files, (Paths{folder / "b.gml", folder / "tiles/a.gml"}));
   EXPECT_EQ(recipe.osm.files, (Paths{folder / "m.osm", folder / "n.osm"}));
   EXPECT_EQ(recipe.terrain.elevation_models, (Paths{folder / "a.tif", folder / "b.tif"}));
-  // Of two edits of a light the later one holds, so a file keeps the place of its last mention.
+  // The later of two edits of a light holds, so a file keeps the place of its last mention.
   EXPECT_EQ(recipe.lights.edits, (Paths{folder / "b.json", folder / "a.json"}));
   EXPECT_EQ(recipe.lamps.luminaires.size(), 2u);
   ASSERT_EQ(recipe.lamps.inventories.size(), 2u);

@@ -17,8 +17,8 @@
 
 namespace nightcity::test {
 
-/// Calls `read(document, options, stage)` on the bytes. Aborts on a position that is no number and on
-/// a picture that does not fit its polygon; an Error is what a broken document deserves.
+/// Calls `read(document, options, stage)` on the bytes. Aborts on a position that is no number and
+/// on a picture that does not fit its polygon; an Error is what a broken document deserves.
 template <class Read>
 void fuzz_city(const std::uint8_t* data, std::size_t size, const Read& read) {
   const std::string text(reinterpret_cast<const char*>(data), size);

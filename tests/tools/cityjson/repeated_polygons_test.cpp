@@ -1,5 +1,5 @@
-// Polygons that an object holds twice, in objects of a few polygons and of many: they are looked for
-// in different ways.
+// Polygons that an object holds twice, in objects of a few polygons and of many: they are looked
+// for in different ways.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -26,8 +26,8 @@ class GroundHeights {
 
   /// Returns what is assumed about the models and may be wrong, each behind ", ".
   const std::string& assumptions() const { return assumptions_; }
-  /// Returns which model names no CRS, and the remedy, for the message that none covers the city; ""
-  /// where all name one.
+  /// Returns which model names no CRS, and the remedy, for the message that none covers the city;
+  /// "" where all name one.
   const std::string& unplaced() const { return unplaced_; }
 
   /// Returns a height (m) for each place (E, N): that of the first model that has one there, NaN

@@ -16,8 +16,8 @@ std::string to_range(const Limits& limits) {
   return to_short_text(limits.min) + " to " + to_short_text(limits.max);
 }
 
-// A folder that is named again is not searched again. Other mentions of a file can be told only when
-// folders are replaced by their files.
+// A folder that is named again is not searched again. Other mentions of a file can be told only
+// when folders are replaced by their files.
 std::vector<fs::path> read_paths(const Value& value, const fs::path& folder, const PathList& list) {
   std::vector<fs::path> named;
   for (const std::string& name : value.texts()) {
