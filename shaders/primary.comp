@@ -3,6 +3,7 @@
 // Primary visibility: the surface that the camera sees in each pixel.
 #include "shaders/common.glsl"
 #include "shaders/geometry.glsl"
+#define SKIPS_WHAT_IS_HIDDEN
 #include "shaders/trace.glsl"
 #include "shaders/surface_hit.glsl"
 #include "shaders/camera.glsl"

@@ -144,12 +144,30 @@ void swap_if_farther(inout float ta, inout uint a, inout float tb, inout uint b)
   }
 }
 
+// The nodes that wait on trace()'s stack. A pass whose rays all look for the closest hit may define
+// SKIPS_WHAT_IS_HIDDEN: then a node that the ray enters beyond a hit that was found meanwhile is
+// not read. The factor is that of `far` in enter_children(). Shadow rays end at their first hit,
+// and would only be slower.
+#ifdef SKIPS_WHAT_IS_HIDDEN
+#define DEFER(node, t) stack_t[top] = t, stack[top++] = node
+#define TAKE_DEFERRED(node, least)         \
+  while (node == BVH_EMPTY && top > least) \
+    if (stack_t[--top] <= hit.t * 1.000001) node = stack[top]
+#else
+#define DEFER(node, t) stack[top++] = node
+#define TAKE_DEFERRED(node, least) \
+  if (node == BVH_EMPTY && top > least) node = stack[--top]
+#endif
+
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
            bool before, out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
   uint node = is_other_geometry(before) ? FRAME.previous_root : SCENE.root;
   if (node == BVH_EMPTY) return false;
   uint stack[BVH_STACK];
+#ifdef SKIPS_WHAT_IS_HIDDEN
+  float stack_t[BVH_STACK];  // at which distances the ray enters them
+#endif
   int top = 0;
   int floor_of_level = 0;     // stack height at which the current BLAS or TLAS is done
   uint instance = NO_HIT;     // NO_HIT: in the TLAS
@@ -179,20 +197,21 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
       }
       // The first child that is entered is next; the others wait, the second on top.
       uint next = BVH_EMPTY;
-      if (is_entered.w) next = child.w;
+      float next_t = 0.0;
+      if (is_entered.w) next = child.w, next_t = t.w;
       if (is_entered.z) {
-        if (next != BVH_EMPTY) stack[top++] = next;
-        next = child.z;
+        if (next != BVH_EMPTY) DEFER(next, next_t);
+        next = child.z, next_t = t.z;
       }
       if (is_entered.y) {
-        if (next != BVH_EMPTY) stack[top++] = next;
-        next = child.y;
+        if (next != BVH_EMPTY) DEFER(next, next_t);
+        next = child.y, next_t = t.y;
       }
       if (is_entered.x) {
-        if (next != BVH_EMPTY) stack[top++] = next;
+        if (next != BVH_EMPTY) DEFER(next, next_t);
         next = child.x;
       }
-      if (next == BVH_EMPTY && top > floor_of_level) next = stack[--top];
+      TAKE_DEFERRED(next, floor_of_level);
       node = next;
     }
     if (node != BVH_EMPTY) {
@@ -230,7 +249,8 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
       ray = make_ray(origin, direction);
     }
     if (top == 0) break;
-    node = stack[--top];
+    node = BVH_EMPTY;
+    TAKE_DEFERRED(node, floor_of_level);
   }
   return hit.triangle != NO_HIT;
 }
