@@ -190,7 +190,7 @@ SampledLight sample_static_light_in_air(AirRay ray, float technique) {
     tree = chosen.light.flux_lm > 0.0 ? tree_density(ray, chosen.index) : 0.0;
   }
   chosen.pdf = TREE_SHARE * tree +
-               (1.0 - TREE_SHARE) * static_density(grids, chosen.index, chosen.light);
+               (1.0 - TREE_SHARE) * static_density(grids, chosen.light);
   return chosen;
 }
 

@@ -30,8 +30,8 @@ LightSample sample_sphere(Light light, vec2 uv, vec3 receiver) {
   const float d2 = dot(to_centre, to_centre);
   // A point inside the lamp gets no light: the globe's own flat faces lie inside the sphere.
   if (d2 <= nearest * nearest) return s;
-  const float d = sqrt(d2);
-  const vec3 axis = to_centre / d;
+  const float per_d = inversesqrt(d2), d = d2 * per_d;
+  const vec3 axis = to_centre * per_d;
   const float sin2_max = radius * radius / d2;
   const float cos_max = sqrt(max(1.0 - sin2_max, 0.0));
   // 1 - cos, without cancellation for far lamps.
@@ -42,7 +42,7 @@ LightSample sample_sphere(Light light, vec2 uv, vec3 receiver) {
   vec3 t, b;
   make_frame(axis, t, b);
   const float phi = 2.0 * PI * uv.y;
-  s.direction = normalize(axis * cos_theta + (t * cos(phi) + b * sin(phi)) * sqrt(sin2));
+  s.direction = axis * cos_theta + (t * cos(phi) + b * sin(phi)) * sqrt(sin2);
   const float distance_to_point = d * cos_theta - sqrt(max(radius * radius - d2 * sin2, 0.0));
   s.point = receiver + s.direction * distance_to_point;
   // Luminance I / (pi r^2) times the cone's solid angle 2 pi (1 - cos): tends to I / d^2 as r tends

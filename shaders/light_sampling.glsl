@@ -13,15 +13,18 @@
 // The cell of a grid at a place.
 struct GridCell {
   LightCell cell;
+  float softening_m2;  // of the grid
   vec2 centre;
-  float share;  // of the candidates from static lights
+  float share;         // of the candidates from static lights
+  float density;       // of a light among those candidates, for its strength
 };
 
 struct LightSampler {
   GridCell near;
   GridCell far;
-  float uniform_share;  // of the candidates from static lights
-  float power_share;
+  float uniform_share;    // of the candidates from static lights
+  float uniform_density;  // of a light among those candidates by this technique
+  float power_density;    // the same for a lumen
   float vehicle_share;    // of all candidates
 };
 
@@ -41,9 +44,11 @@ GridCell cell_at(LightGridBuffers grid, vec3 position, float share) {
   const vec2 origin = vec2(shape.origin_x, shape.origin_z);
   const vec2 at = clamp(floor((position.xz - origin) / shape.cell_m), vec2(0.0),
                         vec2(shape.width, shape.depth) - 1.0);
+  p.softening_m2 = shape.softening_m2;
   p.centre = origin + (at + 0.5) * shape.cell_m;
   p.cell = grid.cells.at[uint(at.y) * shape.width + uint(at.x)];
   p.share = p.cell.count > 0u ? share : 0.0;
+  p.density = p.share > 0.0 ? p.share / p.cell.strength_sum : 0.0;
   return p;
 }
 
@@ -106,12 +111,15 @@ LightSampler light_sampler_at(vec3 position) {
   LightSampler p;
   const bool any_static = SCENE.near_grid.shape.width != 0u;
   p.near.share = p.far.share = 0.0;
+  p.uniform_share = FRAME.uniform_share;
+  p.uniform_density = p.power_density = 0.0;
   if (any_static) {
     p.near = cell_at(SCENE.near_grid, position, FRAME.near_share);
     p.far = cell_at(SCENE.far_grid, position, FRAME.far_share);
+    p.uniform_density = p.uniform_share / float(SCENE.lit_count);
+    p.power_density =
+        max(1.0 - p.near.share - p.far.share - p.uniform_share, 0.0) / SCENE.lit_flux_lm;
   }
-  p.uniform_share = FRAME.uniform_share;
-  p.power_share = max(1.0 - p.near.share - p.far.share - p.uniform_share, 0.0);
   p.vehicle_share = vehicle_share(any_static);
   // As published, there are no cells, and the share is that of uniform candidates.
   const bool has_cells = p.near.share + p.far.share > 0.0;
@@ -124,12 +132,11 @@ LightSampler light_sampler_at(vec3 position) {
 // Returns the density of this light among the samples from a cell's list, times the list's share. A
 // light is in the list if its strength reaches the cell's threshold, so that the list need not be
 // searched.
-float cell_density(GridCell p, LightGridShape shape, Light light) {
+float cell_density(GridCell p, Light light) {
   if (!(p.share > 0.0)) return 0.0;
   const vec2 d = light.position.xz - p.centre;
-  const float strength = light.flux_lm / (dot(d, d) + shape.softening_m2);
-  return strength >= p.cell.threshold && strength > 0.0 ? p.share * strength / p.cell.strength_sum
-                                                        : 0.0;
+  const float strength = light.flux_lm / (dot(d, d) + p.softening_m2);
+  return strength >= p.cell.threshold && strength > 0.0 ? p.density * strength : 0.0;
 }
 
 uint sample_cell(GridCell p, LightGridBuffers grid) {
@@ -137,12 +144,11 @@ uint sample_cell(GridCell p, LightGridBuffers grid) {
   return random_float() < entry.keep ? entry.light : entry.alias_light;
 }
 
-// Returns the density of a static light among the samples of the mixture, whichever technique takes
-// it.
-float static_density(LightSampler p, uint index, Light light) {
-  return p.uniform_share / float(SCENE.lit_count) + p.power_share * SCENE.alias.at[index].pdf +
-         cell_density(p.near, SCENE.near_grid.shape, light) +
-         cell_density(p.far, SCENE.far_grid.shape, light);
+// Returns the density of a static light that shines among the samples of the mixture, whichever
+// technique takes it.
+float static_density(LightSampler p, Light light) {
+  return p.uniform_density + p.power_density * light.flux_lm + cell_density(p.near, light) +
+         cell_density(p.far, light);
 }
 
 SampledLight sample_static_light(LightSampler p, float technique) {
@@ -159,8 +165,8 @@ SampledLight sample_static_light(LightSampler p, float technique) {
     const AliasEntry entry = SCENE.alias.at[chosen.index];
     if (random_float() >= entry.keep) chosen.index = entry.alias;
   }
-  chosen.light = light_at(chosen.index);
-  chosen.pdf = static_density(p, chosen.index, chosen.light);
+  chosen.light = shining_light_at(chosen.index);
+  chosen.pdf = static_density(p, chosen.light);
   return chosen;
 }
 

@@ -52,7 +52,6 @@ struct TextureCorners {
 struct AliasEntry {
   float keep;  // probability of keeping this column; else `alias` is taken
   uint alias;
-  float pdf;  // probability of this light
 };
 
 // A map grid over the lights (runtime/scene/light_grid.h); width 0 = no light shines.
@@ -199,6 +198,7 @@ struct SceneBuffers {
   uint light_count;            // static lights, then VEHICLE_LIGHTS per trip
   uint static_lights;          // lights that do not move
   uint lit_count;              // static lights that shine now
+  float lit_flux_lm;           // the sum of their flux: `alias` samples them in proportion to it
   LightTree light_tree;
   TrafficBuffers traffic;
 };

@@ -144,6 +144,7 @@ void DeviceLights::enter(gpu::SceneBuffers& buffers) const {
   buffers.lit = tables_.bits.address();
   buffers.lit_list = tables_.list.address();
   buffers.lit_count = static_cast<std::uint32_t>(tables_.lit.list.size());
+  buffers.lit_flux_lm = static_cast<float>(tables_.lit.flux_lm);
   buffers.alias = tables_.alias.address();
   const auto address_of = [](const Grid& grid) {
     return gpu::LightGridBuffers{grid.shape, grid.cells.address(), grid.entries.address()};

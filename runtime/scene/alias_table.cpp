@@ -19,7 +19,7 @@ std::span<const gpu::AliasEntry> AliasTableBuilder::build(std::span<const float>
   std::size_t smalls = 0, larges = n;  // columns_[0, smalls) and columns_[larges, n)
   for (std::size_t i = 0; i < n; ++i) {
     const double pdf = sum > 0 ? scaled_[i] * per_weight : uniform;
-    table_[i] = {1.0f, static_cast<std::uint32_t>(i), static_cast<float>(pdf)};
+    table_[i] = {1.0f, static_cast<std::uint32_t>(i)};
     scaled_[i] = pdf * double(n);
     const bool small = scaled_[i] < 1.0;
     columns_[small ? smalls : larges - 1] = static_cast<std::uint32_t>(i);

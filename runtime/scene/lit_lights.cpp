@@ -20,6 +20,7 @@ LitLights lit_lights(std::span<const Light> lights, std::span<const LightFamily>
     if (on != all_families && !has_family(on, families[i])) continue;
     lit.bits[i / 32] |= 1u << (i % 32);
     lit.list.push_back(static_cast<std::uint32_t>(i));
+    lit.flux_lm += double{lights[i].flux_lm};
   }
   return lit;
 }

@@ -16,6 +16,7 @@ struct LitLights {
   std::vector<std::uint32_t> bits;     // one bit per light, 32 per word
   std::vector<std::uint32_t> list;     // indices of the lights that shine, ascending
   std::vector<gpu::AliasEntry> alias;  // over flux, parallel to the lights
+  double flux_lm = 0;                  // of all that shine
   LightGrid near_grid;                 // the strongest near each place
   LightGrid far_grid;                  // those of its neighbourhood
   TimeSpan steady;                     // the same lights shine
@@ -23,7 +24,7 @@ struct LitLights {
   bool same_lights(const LitLights& other) const { return bits == other.bits; }
 };
 
-/// Returns bits, list and `steady` only, which is cheap enough for every step of a clock.
+/// Returns bits, list, flux and `steady` only, which is cheap enough for every step of a clock.
 /// `families`: parallel to the lights; those outside `on` are off.
 LitLights lit_lights(std::span<const Light> lights, std::span<const LightFamily> families,
                      std::span<const Schedule> schedules, std::span<const std::uint32_t> switches,

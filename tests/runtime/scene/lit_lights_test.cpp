@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/alias_probabilities.h"
 #include "support/scenes.h"
 
 namespace nightcity::scene {
@@ -18,17 +19,19 @@ TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
   for (const double time : {500.0, 1500.0}) {
     LitLights lit = lit_lights(lights, families, schedules, switches, time);
     build_tables(lit, lights);
-    double pdf = 0;
+    const std::vector<double> p = test::find_probabilities(lit.alias);
+    double sum = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const bool shines = i != 99 && (i % 2 == 1 || time == 1500);
       EXPECT_EQ((lit.bits[i / 32] >> (i % 32) & 1u) != 0, shines) << i;
       EXPECT_EQ(std::count(lit.list.begin(), lit.list.end(), i), shines) << i;
-      EXPECT_EQ(lit.alias[i].pdf > 0, shines) << i;
-      pdf += double(lit.alias[i].pdf);
+      EXPECT_EQ(p[i] > 0, shines) << i;
+      EXPECT_NEAR(p[i], shines ? double{lights[i].flux_lm} / lit.flux_lm : 0, 1e-7) << i;
+      sum += p[i];
       for (const gpu::GridEntry& entry : lit.near_grid.entries)
         EXPECT_TRUE(shines || (entry.light != i && entry.alias_light != i)) << i;
     }
-    EXPECT_NEAR(pdf, 1, 1e-5);
+    EXPECT_NEAR(sum, 1, 1e-5);
   }
 }
 
