@@ -7,7 +7,7 @@
 #include "shaders/similar.glsl"
 #include "shaders/accumulation.glsl"
 #include "shaders/display.glsl"
-#include "shaders/dark_blocks.glsl"
+#include "shaders/blocks.glsl"
 
 void main() {
   uvec2 pixel;
@@ -19,7 +19,7 @@ void main() {
   // The last guard: no NaN or Inf reaches a pixel, and none stays in a sum.
   if (!all_finite(radiance)) radiance = vec3(0.0);
   if (luminance(radiance) > DARK_RANGE * FRAME.faint_luminance)
-    FRAME.lit_blocks.at[block_of(pixel)] = 1u;
+    FRAME.blocks.at[block_of(pixel)].is_lit = 1u;
 
   Accumulation total = NO_ACCUMULATION;
   if (FRAME.window == 0u) {

@@ -11,23 +11,31 @@
 #include "shaders/reservoir.glsl"
 #include "shaders/half_rate.glsl"
 #include "shaders/resampling.glsl"
-#include "shaders/dark_blocks.glsl"
+#include "shaders/blocks.glsl"
 
 // Lights that are fainter than the strongest candidate by more than this factor are a set of their
 // own.
 const float STRONG_RANGE = 8.0;
-// Strong lights with this share of the candidates' weight are tested for shadow before another is
-// chosen.
-const float DOMINANT_SHARE = 0.75;
+// The chance to test the others where all strong lights of the block were hidden. It falls as the
+// cube of the share that were: where a shadow ends within a block, lit pixels pay for it.
+const float CHANCE_OF_OTHERS = 0.875;
+// Where nothing is known, strong lights with this share of the weight are tested before another is
+// chosen. Those with NOTED_SHARE are noted as seen or hidden.
+const float DOMINANT_SHARE = 0.75, NOTED_SHARE = 0.5;
 
 // Returns one of the candidates that the receiver sees, or W = 0. Where lights that outshine all
 // others are hidden (a stadium behind a house), one of them would be chosen and dropped nearly
 // always. So the candidates are kept in two sets, strong lights and all others, each with a sample
-// of its own: if the first is in shadow, its set contributes nothing, and the sample of the others
-// stands for theirs. Which candidates belong to which set depends on their targets alone, not on
-// the choices, and a shadow test is made of each sample before it counts; so the expected value is
-// that of resample_lights() followed by a test.
-Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver, uint candidates) {
+// of its own. Which candidates belong to which depends on their targets alone, and a shadow test is
+// made of each sample before it counts.
+//   One of the two is tested: the strong lights by their share of the weight, but less often where
+// the pixel's block saw them hidden. A set's weight is divided by its chance to be tested, so the
+// expected value is that of resample_lights() followed by a test, whatever the chance is. It may
+// depend on the frame before, M and the weights of reuse may not (docs/estimator.md, condition 2).
+//   If nothing is known of the block, both may be tested: where the first is in shadow, its set
+// contributes nothing, and the sample of the others stands for theirs.
+Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver, uint candidates,
+                                  uvec2 pixel) {
   ReservoirBuilder strongest = EMPTY_BUILDER, others = EMPTY_BUILDER;
   float greatest = 0.0;
   for (uint i = 0u; i < candidates; ++i) {
@@ -43,17 +51,26 @@ Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver,
       update(others, c.light, c.uv, c.target, c.weight);
   }
   const float both = strongest.weight_sum + others.weight_sum;
-  const bool takes_strongest = random_float() * both < strongest.weight_sum;
-  const bool dominated = strongest.weight_sum > DOMINANT_SHARE * both;
+  const float share = others.weight_sum > 0.0 ? strongest.weight_sum / both : 1.0;
+  float hidden;
+  const bool is_known = find_hidden_share(pixel, hidden);
+  float chance = share;
+  if (others.weight_sum > 0.0)
+    chance = min(chance, 1.0 - CHANCE_OF_OTHERS * hidden * hidden * hidden);
+  const bool takes_strongest = random_float() < chance;
+  const bool tests_both = !is_known && share > DOMINANT_SHARE;
   ReservoirBuilder chosen = others;
-  if (dominated || takes_strongest) chosen = strongest;
-  chosen.weight_sum = both;
+  if (takes_strongest || tests_both) chosen = strongest;
+  chosen.weight_sum =
+      is_known ? chosen.weight_sum / (takes_strongest ? chance : 1.0 - chance) : both;
   const float factor = play_roulette(chosen, 1.0);
   if (factor == 0.0) return Reservoir(NO_HIT, 0u, float(FRAME.candidates), 0.0);
   bool is_seen = false;
   // A loop, because a second place that traces rays costs more than the rays do.
-  for (uint tests = dominated ? 2u : 1u; tests > 0u && chosen.weight_sum > 0.0; --tests) {
+  for (uint tests = tests_both ? 2u : 1u; tests > 0u && chosen.weight_sum > 0.0; --tests) {
     is_seen = sees(receiver, chosen.light, chosen.uv);
+    const bool is_strongest = tests_both ? tests == 2u : takes_strongest;
+    if (is_strongest && share > NOTED_SHARE) note_test(pixel, is_seen);
     if (tests == 1u || (is_seen && takes_strongest)) break;
     chosen = others;
     if (is_seen) chosen.weight_sum = both;
@@ -91,7 +108,7 @@ void main() {
 
   if (has_shadowed_target(ESTIMATOR)) {
     store(index, is_reused,
-          resample_visible_lights(light_sampler, receiver, candidates_of(pixel)));
+          resample_visible_lights(light_sampler, receiver, candidates_of(pixel), pixel));
     return;
   }
   Reservoir reservoir = resample_lights(light_sampler, receiver, FRAME.candidates);

@@ -87,6 +87,13 @@ struct Escape {
   float sideways;   // level or downwards past the scene's edge: neither up nor onto the ground
 };
 
+// What the pixels of a square of WORKGROUP_SIZE^2 showed (blocks.glsl).
+struct PixelBlock {
+  uint is_lit;  // 1 = one of them showed more than is nearly black
+  uint tested;  // tests of strong lights for shadow, in multiples of ONE_TEST
+  uint hidden;  // those of them that met one
+};
+
 #define PROJECTION_PERSPECTIVE 0u
 #define PROJECTION_FISHEYE 1u          // equidistant, a hemisphere across the shorter side
 #define PROJECTION_EQUIRECTANGULAR 2u  // all directions: longitude by latitude
@@ -113,6 +120,7 @@ static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumul
 ARRAY_REFERENCE_16(Surfaces, Surface, )
 ARRAY_REFERENCE_16(Reservoirs, Reservoir, )
 ARRAY_REFERENCE(Targets, float, )
+ARRAY_REFERENCE(PixelBlocks, PixelBlock, )
 ARRAY_REFERENCE(PathVertices, PathVertex, )
 ARRAY_REFERENCE_16(IrradianceCells, IrradianceCell, )
 ARRAY_REFERENCE_16(Accumulations, Accumulation, )
@@ -179,10 +187,8 @@ struct Frame {
   // The pixel's target of its own sample and, a picture for each pairing, of its partner's sample.
   // Targets of empty reservoirs are not written.
   BUFFER(Targets) pair_targets;
-  // Per block of WORKGROUP_SIZE^2 pixels: 1 where one of them shows more than is nearly black
-  // (dark_blocks.glsl).
-  BUFFER(Words) lit_blocks;
-  BUFFER(Words) previous_lit_blocks;
+  BUFFER(PixelBlocks) blocks;
+  BUFFER(PixelBlocks) previous_blocks;
   BUFFER(PathVertices) path;  // of the reference
   BUFFER(IrradianceCells) cells;
   BUFFER(Words) seen_cells;  // their number, then the indices of the cells that this frame sees

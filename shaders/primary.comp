@@ -8,13 +8,13 @@
 #include "shaders/surface_hit.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/trip_pose.glsl"
-#include "shaders/dark_blocks.glsl"
+#include "shaders/blocks.glsl"
 
 void main() {
   uvec2 pixel;
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
-  if (all(equal(pixel % WORKGROUP_SIZE, uvec2(0u)))) FRAME.lit_blocks.at[block_of(pixel)] = 0u;
+  if (all(equal(pixel % WORKGROUP_SIZE, uvec2(0u)))) begin_block(block_of(pixel));
 
   Hit hit;
   Surface surface =

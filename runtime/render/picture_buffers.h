@@ -19,9 +19,9 @@ inline void fit(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes) {
 struct PictureBuffers {
   glm::uvec2 size{0};
   gpu::Buffer surfaces, spatial, accumulation;
-  gpu::Buffer lit_blocks;  // of WORKGROUP_SIZE^2 pixels each (shaders/dark_blocks.glsl)
-  gpu::Buffer hits;        // where frames keep them
-  gpu::Buffer display;     // 8-bit sRGB, R in the low byte
+  gpu::Buffer pixel_blocks;
+  gpu::Buffer hits;     // where frames keep them
+  gpu::Buffer display;  // 8-bit sRGB, R in the low byte
 
   std::size_t pixels() const { return std::size_t{size.x} * size.y; }
   std::size_t blocks() const {
@@ -33,7 +33,7 @@ struct PictureBuffers {
     fit(device, surfaces, pixels() * sizeof(gpu::Surface));
     fit(device, spatial, pixels() * sizeof(gpu::Reservoir));
     fit(device, accumulation, pixels() * sizeof(gpu::Accumulation));
-    fit(device, lit_blocks, blocks() * sizeof(std::uint32_t));
+    fit(device, pixel_blocks, blocks() * sizeof(gpu::PixelBlock));
     fit(device, display, pixels() * sizeof(std::uint32_t));
   }
 };

@@ -132,8 +132,8 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   frame.reservoirs = reserve(reservoirs_, pixels * sizeof(gpu::Reservoir));
   frame.spatial = now.spatial.address();
   frame.previous_reservoirs = before.spatial.address();
-  frame.lit_blocks = now.lit_blocks.address();
-  frame.previous_lit_blocks = before.lit_blocks.address();
+  frame.blocks = now.pixel_blocks.address();
+  frame.previous_blocks = before.pixel_blocks.address();
   frame.slices = choose_reference_slices(settings, size_, frame.scene.light_count,
                                          device_.info().kind == "cpu");
   frame.radiance = reserve(radiance_, frame.slices * pixels * sizeof(gpu::Accumulation));
