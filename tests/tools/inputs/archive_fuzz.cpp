@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (count > piece.size()) std::abort();
         if (whole.size() < 100) whole.append(piece.data(), count);
       }
-      // What is read again is the same.
+      // A second reading gives the same.
       if (whole.substr(0, start.size()) != start) std::abort();
     }
   } catch (const Error&) {  // a broken file
