@@ -105,6 +105,51 @@ check "and leaves nothing" test ! -e full
 check "lamps to a full device are an error" same $? 1
 check "/dev/full stays a device" test -c /dev/full
 
+# Every other output, as files that may not grow beyond 1 kB, or 20 kB: nothing is left of it, nor of folders made for it.
+"$nightbake" -q run town/town.toml --part 1/1 --out parts >/dev/null || exit 1
+while read -r limit arguments; do
+  # shellcheck disable=SC2086
+  (ulimit -f "$limit" && "$nightbake" -q $arguments >/dev/null 2>err)
+  check "nightbake $arguments to a full disk ends with 1" same $? 1
+  check "and says why: $(cat err)" has err "cannot be written: "
+  check "and leaves nothing: $(find full 2>/dev/null)" test ! -e full
+  rm -rf full
+done <<'END'
+1 run town/town.toml --part 1/2 --out full
+20 run town/town.toml --part 1/2 --out full/of/parts
+20 merge parts/parts --out full
+1 export whole -o full
+20 export whole -o full/of/tiles
+1 export whole -o full.gpkg
+1 export whole -o full.fgb
+1 lamps town/town.osm town/town.gml -o full.lights
+1 lamps town/town.osm town/town.gml --lay-out -o full.osm
+1 windows town/town.gml -o full.lights
+1 traffic town/town.osm -o full.lights
+1 elevate town/town.osm town/town.gml -o full.osm
+20 price town/town.toml --no-pictures --only draco-1mm -o full
+END
+check "no file of them is left: $(compgen -G '*full.*')" same "$(compgen -G '*full.*')" ""
+
+# A tileset and a part that a signal ends: no empty folder is left, and the next one is whole.
+"$nightbake" -q export whole -o tiles >/dev/null || exit 1
+for arguments in "export whole -o made/tiles" "run town/town.toml --part 1/2 --out made/parts"; do
+  for moment in 0.02 0.05 0.1; do
+    # shellcheck disable=SC2086
+    env --default-signal "$nightbake" -q $arguments >out 2>err &
+    child=$!
+    sleep "$moment"
+    kill -s TERM "$child" 2>/dev/null
+    wait "$child"
+    check "after TERM at $moment s no empty folder is left: $(find made -type d -empty 2>/dev/null)" \
+      same "$(find made -type d -empty 2>/dev/null)" ""
+  done
+  # shellcheck disable=SC2086
+  "$nightbake" -q $arguments >/dev/null 2>err || [[ -e made/tiles/tileset.json ]] || check "the next one works: $(cat err)" false
+done
+check "the tileset is whole" diff -r tiles made/tiles
+rm -rf made
+
 # Outputs that are no files, or lead to one.
 "$nightbake" -q layout town/town.toml --osm /dev/null >/dev/null 2>err
 code=$?

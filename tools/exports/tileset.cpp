@@ -54,6 +54,14 @@ class TilesetWriter {
         folder_(folder),
         options_(options),
         earth_(scene.georeference.crs, scene.georeference.origin, options.geoid_m) {}
+  // A full disk is not left full of tiles that no tileset.json names.
+  ~TilesetWriter() {
+    if (is_complete_) return;
+    std::error_code ignored;
+    for (const std::filesystem::path& tile : written_) std::filesystem::remove(tile, ignored);
+  }
+  TilesetWriter(const TilesetWriter&) = delete;
+  TilesetWriter& operator=(const TilesetWriter&) = delete;
 
   TilesetReport write() {
     sort_nodes();
@@ -69,6 +77,7 @@ class TilesetWriter {
     AtomicFile file(folder_ / "tileset.json");
     file.write(tileset.dump(1));
     file.commit();
+    is_complete_ = true;
     return report_;
   }
 
@@ -136,6 +145,7 @@ class TilesetWriter {
     const std::string name =
         "tiles/" + std::to_string(cell.first) + "_" + std::to_string(cell.second) + ".glb";
     write_tile(scene_, lights_, parts, origin, folder_ / name, options_, report_);
+    written_.push_back(folder_ / name);
     Leaf leaf;
     leaf.region = find_region(parts.box);
     const glm::dvec3 place = scene_.georeference.from_model(origin);
@@ -217,6 +227,8 @@ class TilesetWriter {
   PlaceOnEarth earth_;
   std::map<Cell, TileParts> cells_;
   std::map<Cell, Leaf> leaves_;
+  std::vector<std::filesystem::path> written_;
+  bool is_complete_ = false;
   TilesetReport report_;
 };
 

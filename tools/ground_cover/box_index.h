@@ -40,7 +40,8 @@ class BoxIndex {
   /// square, which cross it aslant, would all be asked. `find_share(number, box)` says what an area
   /// has of a part of the square, `count_corners(number)` how many corners its rings have. Lists
   /// grow to 256 times their length at most, together. Areas of more than four corners count for as
-  /// many as these make: one that winds through its square lies in as many more parts of it.
+  /// many as these make: each is a look, and one that winds through its square lies in as many more
+  /// parts of it.
   template <class FindShare, class CountCorners>
   void split_crowded(const FindShare& find_share, const CountCorners& count_corners);
   /// Returns the numbers of the boxes whose squares meet a rectangle, each once, in order.
@@ -54,7 +55,7 @@ class BoxIndex {
 
  private:
   static constexpr int levels = 28;
-  static constexpr std::size_t crowded = 64;  // boxes in a square
+  static constexpr std::size_t crowded = 64;  // areas of four corners in a square
   // A square, or a quarter of one that is split.
   struct Part {
     std::vector<std::uint32_t> numbers;
@@ -79,21 +80,25 @@ void BoxIndex::split_crowded(const FindShare& find_share, const CountCorners& co
     std::uint32_t part;
     Box box;
   };
+  const auto count_looks = [&](const std::vector<std::uint32_t>& numbers) {
+    std::size_t corners = 0;
+    for (const std::uint32_t number : numbers)
+      corners += std::max<std::size_t>(count_corners(number), 4);
+    return corners / 4;
+  };
   for (const auto& [key, numbers] : squares_) {
-    if (numbers.size() <= crowded) continue;
+    const std::size_t looks = count_looks(numbers);
+    if (looks <= crowded) continue;
     split_.emplace(key, static_cast<std::uint32_t>(parts_.size()));
     std::vector<Waiting> waiting{
         {static_cast<std::uint32_t>(parts_.size()), find_box_of_square(key)}};
     parts_.push_back({numbers});
-    std::size_t corners = 0;
-    for (const std::uint32_t number : numbers)
-      corners += std::max<std::size_t>(count_corners(number), 4);
-    std::size_t room = 256 * (corners / 4);
+    std::size_t room = 256 * looks;
     // The largest parts first, so that the room is spent evenly.
     for (std::size_t next = 0; next < waiting.size(); ++next) {
       const auto [part, box] = waiting[next];
       const std::vector<std::uint32_t> whole = parts_[part].numbers;
-      if (whole.size() <= crowded || 4 * whole.size() > room ||
+      if (count_looks(whole) <= crowded || 4 * whole.size() > room ||
           box.high.x - box.low.x < 2 * finest_part_m)
         continue;
       parts_[part] = {{}, static_cast<std::uint32_t>(parts_.size())};

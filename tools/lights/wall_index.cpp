@@ -15,8 +15,10 @@ namespace nightcity::lights {
 namespace {
 
 constexpr double bucket_m = 16;
-constexpr std::int32_t buckets = 8;         // along each side of a cell
-constexpr std::size_t max_cached = 60'000;  // walls, 36 bytes each
+constexpr std::int32_t buckets = 8;          // along each side of a cell
+constexpr std::size_t max_cached = 800'000;  // walls, 36 bytes each
+constexpr std::size_t crowded = 1024;        // walls of a bucket
+constexpr double near_equal_per_m = 100;     // of walls in a crowded bucket
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
 constexpr double longest_wall_m = 2000;  // a longer wall is a broken coordinate
@@ -43,19 +45,36 @@ struct WallIndex::Loaded {
   WallCrowds crowds;
 
   Loaded(const std::vector<Wall>& read, const CellKey& key) {
+    keep(read, key, [](float v) { return std::bit_cast<std::uint32_t>(v); });
+    if (find_fullest() <= crowded) return;
+    // A look at each of thousands of walls that are all but the same would have no end either.
+    keep(read, key, [](float v) {
+      return static_cast<std::uint32_t>(
+          static_cast<std::int64_t>(std::floor(static_cast<double>(v) * near_equal_per_m)));
+    });
+  }
+
+  // Walls whose numbers are alike count as walls in one place.
+  template <class ToNumber>
+  void keep(const std::vector<Wall>& read, const CellKey& key, const ToNumber& number) {
     std::vector<WallPlace> places;
     std::vector<std::uint32_t> owners;
     places.reserve(read.size());
     owners.reserve(read.size());
     for (const Wall& wall : read) {
-      const auto bits = [](float v) { return std::bit_cast<std::uint32_t>(v); };
-      places.push_back({bits(wall.ax), bits(wall.ay), bits(wall.bx), bits(wall.by), bits(wall.low),
-                        bits(wall.high), bits(wall.east), bits(wall.north)});
+      places.push_back({number(wall.ax), number(wall.ay), number(wall.bx), number(wall.by),
+                        number(wall.low), number(wall.high), number(wall.east),
+                        number(wall.north)});
       owners.push_back(wall.owner);
     }
     crowds = find_crowds(places, owners);
+    walls.clear();
     walls.reserve(crowds.kept.size());
     for (const WallCrowds::Kept& kept : crowds.kept) walls.push_back(read[kept.wall]);
+    sort_into_buckets(key);
+  }
+
+  void sort_into_buckets(const CellKey& key) {
     first.assign(std::size_t{buckets} * buckets + 1, 0);
     for (const Wall& wall : walls) visit(wall, key, [&](std::size_t b) { ++first[b + 1]; });
     for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
@@ -63,6 +82,13 @@ struct WallIndex::Loaded {
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::uint32_t i = 0; i < walls.size(); ++i)
       visit(walls[i], key, [&](std::size_t b) { inside[next[b]++] = i; });
+  }
+
+  std::size_t find_fullest() const {
+    std::size_t most = 0;
+    for (std::size_t b = 0; b + 1 < first.size(); ++b)
+      most = std::max<std::size_t>(most, first[b + 1] - first[b]);
+    return most;
   }
 
   /// Memory used, in walls.
@@ -131,6 +157,11 @@ void WallIndex::add(std::span<const UprightWall> walls, std::uint32_t owner) {
            ++y)
         cells_.add({x, y}, wall);
   }
+}
+
+std::pair<std::int32_t, std::int32_t> WallIndex::find_cell(const glm::dvec3& p) const {
+  const glm::dvec2 local = glm::dvec2(p - origin_.value_or(glm::dvec3(0)));
+  return {cell_of(bucket_of(local.x)), cell_of(bucket_of(local.y))};
 }
 
 // A horizontal line.

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "tools/cell_cache.h"
@@ -35,6 +36,10 @@ class WallIndex {
   static std::vector<UprightWall> find_upright_walls(const city::CityObject& object);
   /// Adds walls of the object with the number `owner`.
   void add(std::span<const UprightWall> walls, std::uint32_t owner);
+
+  /// Returns the column and row of the cell in which a place lies. Cells are read from the disk as
+  /// a whole: ask for the places of one after the other.
+  std::pair<std::int32_t, std::int32_t> find_cell(const glm::dvec3& p) const;
 
   /// Returns whether a wall crosses the horizontal line along `normal` from 5 cm behind one of the
   /// points to `reach_m` in front of it, at its height. The owner's walls that face the same way
@@ -63,7 +68,8 @@ class WallIndex {
   struct Line;
   /// Calls visit(cell, n) for the n-th wall of a cell, for all in the buckets of a rectangle, until
   /// it returns true, and returns whether it did; for some walls more than once. Of walls in one
-  /// place it is called for those of two owners.
+  /// place, which is one square centimetre where over a thousand walls are near, it is called for
+  /// those of two owners.
   template <class Visit>
   bool any_in_buckets(const glm::dvec2& low, const glm::dvec2& high, const Visit& visit);
   /// Calls visit(cell, n, t, same_way) for walls that cross the line, at t in [0, 1] along it, as

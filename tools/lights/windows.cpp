@@ -179,9 +179,24 @@ const char* WindowLayout::fault(const Record& record, const place::HeightAt& gro
   return nullptr;
 }
 
+/// Returns the windows' numbers, those of one cell of the walls together: buildings that reach over
+/// several cells would ask for each cell again and again.
+std::vector<std::uint32_t> WindowLayout::order_by_cell(const std::vector<Record>& records) const {
+  std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, std::uint32_t>> keys;
+  keys.reserve(records.size());
+  for (const Record& record : records)
+    keys.emplace_back(walls_.find_cell(record.window.centre),
+                      static_cast<std::uint32_t>(keys.size()));
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const auto& [cell, number] : keys) order.push_back(number);
+  return order;
+}
+
 WindowReport WindowLayout::finish(const place::HeightAt& ground, const Sink& sink,
                                   const Inside& inside, unsigned threads) && {
-  constexpr std::uint64_t block_size = 2048;
+  constexpr std::uint64_t block_size = 8192;
   struct CheckedWindows {
     std::vector<Record> records;
     std::vector<const char*> faults;
@@ -200,8 +215,9 @@ WindowReport WindowLayout::finish(const place::HeightAt& ground, const Sink& sin
     KnownGround known(ground);
     place::HeightAt height_at;
     if (ground) height_at = [&known](const glm::dvec2& place) { return known.at(place); };
-    for (const Record& record : checked.records)
-      checked.faults.push_back(fault(record, height_at, inside));
+    checked.faults.resize(checked.records.size());
+    for (const std::uint32_t n : order_by_cell(checked.records))
+      checked.faults[n] = fault(checked.records[n], height_at, inside);
     return checked;
   };
   const auto take = [&](CheckedWindows&& checked) {

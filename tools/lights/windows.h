@@ -113,6 +113,7 @@ class WindowLayout {
   WindowBatch make_batch(const city::CityObject& object, std::uint64_t piece) const;
   void draw_lights(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use,
                    WindowBatch& batch) const;
+  std::vector<std::uint32_t> order_by_cell(const std::vector<Record>& records) const;
   const char* fault(const Record& record, const place::HeightAt& ground, const Inside& inside);
 
   WindowOptions options_;

@@ -12,6 +12,7 @@
 #include "formats/error.h"
 #include "formats/light_file.h"
 #include "formats/program/number_check.h"
+#include "formats/program/output.h"
 #include "formats/scene_reader.h"
 #include "formats/to_lower.h"
 #include "tools/exports/light_layer.h"
@@ -53,6 +54,7 @@ void export_tileset(const ExportArguments& arguments) {
     if (!a.empty() && !b.empty() && a != b)
       throw Error(file.string(), "belongs to another scene than " + glb.string());
   }
+  program::require_writable_folder(arguments.out / "tiles");  // which goes again if this fails
   const exports::TilesetReport report =
       exports::write_tileset(scene, lights ? &*lights : nullptr, arguments.out, arguments.tiles);
   fmt::print("wrote {}: {} tiles, {} triangles, {} features, {} lights\n",

@@ -5,6 +5,7 @@
 
 #include "formats/scene_reader.h"
 #include "tools/nightbake/inspect.h"
+#include "tools/nightbake/mesh_extent.h"
 
 namespace nightcity::nightbake {
 
@@ -31,20 +32,22 @@ void count_mesh(const SceneMesh& mesh, const std::vector<const SceneNode*>& node
     counts.by_material[primitive.material] += primitive.indices.size() / 3;
   }
   counts.triangles += triangles;
+  const MeshExtent extent(mesh);
+  std::set<std::string> kinds;  // of the nodes that show it
   for (const SceneNode* node : nodes) {
     counts.shown += triangles * node->instances.size();
     for (const SceneInstance& instance : node->instances) {
-      auto& lights = counts.lights[kind_of(*node)];
-      if (instance.light != no_id) lights.insert(instance.light);
-      for (const ScenePrimitive& primitive : mesh.primitives) {
-        if (node->kind == "horizon") continue;  // no part of the scene's extent
-        for (const glm::vec3& p : primitive.positions)
-          counts.bounds.add(glm::dvec3(instance.to_model * glm::vec4(p, 1)));
-        for (const std::uint32_t id : primitive.light_ids)
-          if (id != no_id) lights.insert(id);
-      }
+      const std::string kind = kind_of(*node);
+      if (instance.light != no_id) counts.lights[kind].insert(instance.light);
+      if (kind == "horizon") continue;  // no part of the scene's extent
+      kinds.insert(kind);
+      extent.add_copy(instance.to_model, counts.bounds);
     }
   }
+  for (const std::string& kind : kinds)
+    for (const ScenePrimitive& primitive : mesh.primitives)
+      for (const std::uint32_t id : primitive.light_ids)
+        if (id != no_id) counts.lights[kind].insert(id);
 }
 
 }  // namespace

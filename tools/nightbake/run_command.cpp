@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formats/error.h"
+#include "formats/program/output.h"
 #include "tools/bake/bake.h"
 #include "tools/bake/parts/bake_part.h"
 #include "tools/nightbake/bake_results.h"
@@ -26,6 +27,8 @@ void run_part(const RunArguments& arguments, const bake::Recipe& recipe) {
     throw UsageError("--part", "\"" + arguments.part +
                                    "\" is no part: write 3/64 for the third of 64 parts, at most "
                                    "of 100000");
+  program::require_writable_folder(std::filesystem::path(arguments.results.folder) /
+                                   bake::parts_folder);
   bake::BakedPart part;
   {
     ShownProgress progress;

@@ -5,15 +5,16 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace nightcity::terrain {
 namespace {
 
 constexpr double finest_cell_m = 128;
-constexpr std::size_t max_cached = 40'000;  // triangles, 72 bytes each
-constexpr std::size_t crowded = 256;        // triangles of a bucket
-constexpr double min_plan_area_m2 = 1e-8;   // below it a triangle is a wall or a line
-constexpr double edge_m = 1e-6;             // a point this near to an edge counts as on it
+constexpr std::size_t max_cached = 160'000;  // triangles, 80 bytes each
+constexpr std::size_t crowded = 256;         // triangles of a bucket
+constexpr double min_plan_area_m2 = 1e-8;    // below it a triangle is a wall or a line
+constexpr double edge_m = 1e-6;              // a point this near to an edge counts as on it
 constexpr double beyond_any_frame_m = 1e9;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
@@ -22,9 +23,10 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 
 }  // namespace
 
-// A cell's triangles with a grid of their own: about two per bucket.
+// A cell's triangles, from the highest on, with a grid of their own: about two per bucket.
 struct SurfaceStore::Loaded {
   std::vector<Triangle> triangles;
+  std::vector<double> tops;  // no triangle is higher anywhere
   glm::dvec2 corner{0};
   double buckets_per_m = 1;
   int side = 1;
@@ -32,16 +34,30 @@ struct SurfaceStore::Loaded {
 
   Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size)
       : triangles(std::move(t)), corner(low) {
-    sort_into_buckets(size);
-    if (find_fullest() <= crowded) return;
-    remove_repeats();
-    sort_into_buckets(size);
+    choose_buckets(size);
+    sort_into_buckets();
+    if (find_fullest() > crowded) {
+      remove_repeats();
+      choose_buckets(size);
+    }
+    sort_from_the_top();
+    sort_into_buckets();
   }
 
-  void sort_into_buckets(double size) {
+  // Thousands of triangles that each cover the whole cell would be listed in all of its buckets.
+  void choose_buckets(double size) {
+    constexpr std::size_t places_a_triangle = 16;
     side =
         std::clamp(static_cast<int>(std::sqrt(static_cast<double>(triangles.size()) / 2)), 1, 256);
-    buckets_per_m = side / size;
+    for (;; side /= 2) {
+      buckets_per_m = side / size;
+      std::size_t places = 0;
+      for (const Triangle& triangle : triangles) places += find_buckets(triangle).count();
+      if (side == 1 || places <= places_a_triangle * triangles.size()) return;
+    }
+  }
+
+  void sort_into_buckets() {
     first.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) + 1, 0);
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
       visit(triangles[i], [&](std::size_t b) { ++first[b + 1]; });
@@ -73,13 +89,34 @@ struct SurfaceStore::Loaded {
         triangles.end());
   }
 
-  std::size_t count_at(const glm::dvec2& p) const {
-    const std::size_t b = bucket_at(index(p.x - corner.x), index(p.y - corner.y));
-    return first[b + 1] - first[b];
+  // A triangle serves places within edge_m of it, where its plane may rise above its corners.
+  static double find_top(const Triangle& t) {
+    const auto [low, high] = std::minmax({t.corners[0].z, t.corners[1].z, t.corners[2].z});
+    if (!(low < high)) return high;
+    const glm::dvec2 u(t.corners[1] - t.corners[0]), v(t.corners[2] - t.corners[0]);
+    const double around = glm::length(u) + glm::length(v) + glm::length(v - u),
+                 beyond = 2 * edge_m * around / std::abs(cross(u, v)) + 1e-6;
+    return high + beyond * (high - low) + 1e-9 * std::max(std::abs(low), std::abs(high));
+  }
+
+  void sort_from_the_top() {
+    std::vector<std::pair<double, std::uint32_t>> order;
+    order.reserve(triangles.size());
+    for (const Triangle& triangle : triangles)
+      order.emplace_back(-find_top(triangle), static_cast<std::uint32_t>(order.size()));
+    std::sort(order.begin(), order.end());
+    std::vector<Triangle> sorted;
+    sorted.reserve(order.size());
+    tops.reserve(order.size());
+    for (const auto& [depth, number] : order) {
+      sorted.push_back(triangles[number]);
+      tops.push_back(-depth);
+    }
+    triangles = std::move(sorted);
   }
 
   /// Memory, in triangles.
-  std::size_t cost() const { return triangles.size() + 8; }
+  std::size_t cost() const { return triangles.size() + inside.size() / 20 + 8; }
 
   int index(double along) const {
     return static_cast<int>(std::clamp(along * buckets_per_m, 0.0, static_cast<double>(side - 1)));
@@ -88,14 +125,25 @@ struct SurfaceStore::Loaded {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
            static_cast<std::size_t>(column);
   }
-  template <class Visitor>
-  void visit(const Triangle& t, const Visitor& visitor) const {
+  struct Buckets {
+    int left, right, bottom, top;
+    std::size_t count() const {
+      return static_cast<std::size_t>(right - left + 1) *
+             static_cast<std::size_t>(top - bottom + 1);
+    }
+  };
+  Buckets find_buckets(const Triangle& t) const {
     const glm::dvec2 a(t.corners[0]), b(t.corners[1]), c(t.corners[2]);
     const glm::dvec2 low = glm::min(glm::min(a, b), c) - corner - edge_m,
                      high = glm::max(glm::max(a, b), c) - corner + edge_m;
-    const int left = index(low.x), right = index(high.x), top = index(high.y);
-    for (int row = index(low.y); row <= top; ++row)
-      for (int column = left; column <= right; ++column) visitor(bucket_at(column, row));
+    return {index(low.x), index(high.x), index(low.y), index(high.y)};
+  }
+  template <class Visitor>
+  void visit(const Triangle& t, const Visitor& visitor) const {
+    const Buckets buckets = find_buckets(t);
+    for (int row = buckets.bottom; row <= buckets.top; ++row)
+      for (int column = buckets.left; column <= buckets.right; ++column)
+        visitor(bucket_at(column, row));
   }
 
   static std::optional<double> height(const Triangle& t, const glm::dvec2& p) {
@@ -112,10 +160,13 @@ struct SurfaceStore::Loaded {
     return z + s * (t.corners[1].z - z) + r * (t.corners[2].z - z);
   }
 
-  void raise(const glm::dvec2& p, std::optional<double>& best) const {
+  // Returns at how many triangles it looked.
+  std::size_t raise(const glm::dvec2& p, std::optional<double>& best) const {
     const std::size_t b = bucket_at(index(p.x - corner.x), index(p.y - corner.y));
-    for (std::uint32_t i = first[b]; i < first[b + 1]; ++i)
+    std::uint32_t i = first[b];
+    for (; i < first[b + 1] && !(best && *best >= tops[inside[i]]); ++i)
       if (const auto z = height(triangles[inside[i]], p); z && (!best || *z > *best)) best = z;
+    return i - first[b];
   }
 };
 
@@ -185,8 +236,9 @@ std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
 
 std::size_t SurfaceStore::count_candidates(const glm::dvec2& p) {
   std::size_t count = 0;
+  std::optional<double> best;
   for_each_cell(
-      p, [&](const Loaded& cell, const glm::dvec2& local) { count += cell.count_at(local); });
+      p, [&](const Loaded& cell, const glm::dvec2& local) { count += cell.raise(local, best); });
   return count;
 }
 

@@ -23,8 +23,8 @@ struct Extent {
 };
 
 /// Coordinates E, N, H in metres, of any magnitude. Memory: some thirty bytes per cell (128 m wide,
-/// wider where triangles are larger), and a few megabytes for triangles not yet written and cells
-/// used recently.
+/// wider where triangles are larger), and some fifteen megabytes at most for triangles not yet
+/// written and cells used recently.
 class SurfaceStore {
  public:
   /// Scratch file beside `path`.

@@ -142,6 +142,36 @@ TEST(BoxIndex, AreasThatWindThroughTheirSquareAreSplitAsTheirLinesWouldBe) {
   EXPECT_LT(asked, 100 * places);  // of 400 areas
 }
 
+// Fewer areas than make a crowd of squares, but each look goes round 82 corners.
+TEST(BoxIndex, AreasOfManyCornersAreACrowdSooner) {
+  std::vector<std::vector<Ring>> winding;
+  for (int n = 0; n < 40; ++n) {
+    Ring ring;
+    for (int k = 0; k <= 40; ++k) ring.push_back({-250 + 6 * k, -250 + 6 * n + 2 * (k % 2)});
+    for (int k = 40; k >= 0; --k) ring.push_back(ring[static_cast<std::size_t>(k)] + 0.5);
+    winding.push_back({ring});
+  }
+  BoxIndex index;
+  for (std::uint32_t i = 0; i < winding.size(); ++i) index.add(i, {{-255, -255}, {-1, -1}});
+  index.split_crowded([&](std::uint32_t i, const Box& box) { return find_share(winding[i], box); },
+                      [&](std::uint32_t i) { return winding[i][0].size(); });
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-250, -10);
+  std::size_t asked = 0, held = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const glm::dvec2 p(place(random), place(random));
+    std::uint32_t first = BoxIndex::none;
+    for (std::uint32_t i = 0; i < winding.size() && first == BoxIndex::none; ++i)
+      if (mesh::holds(winding[i], p)) first = i;
+    EXPECT_EQ(
+        index.find_first(p, [&](std::uint32_t i) { return ++asked, mesh::holds(winding[i], p); }),
+        first);
+    held += first != BoxIndex::none;
+  }
+  EXPECT_GT(held, 20u);
+  EXPECT_LT(asked, 5000u);  // of 40 areas at each of 1000 places
+}
+
 TEST(BoxIndex, AnAreaHasNoneAPartOrAllOfABox) {
   const std::vector<Ring> court{{{0, 0}, {10, 0}, {10, 10}, {0, 10}},
                                 {{4, 4}, {6, 4}, {6, 6}, {4, 6}}};

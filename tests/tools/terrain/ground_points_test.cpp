@@ -56,7 +56,32 @@ TEST(SurfaceStore, LooksAtATriangleOnceHoweverOftenItIsThere) {
   EXPECT_EQ(store.highest_at({2, 0.5}), 7);
   EXPECT_NEAR(store.highest_at({2, 4}).value(), 13, 1e-9);
   EXPECT_EQ(store.highest_at({-1, 4}), std::nullopt);
-  EXPECT_EQ(store.count_candidates({2, 4}), 2u);
+  EXPECT_EQ(store.count_candidates({2, 0.5}), 2u);
+  EXPECT_EQ(store.count_candidates({2, 4}), 1u) << "the other is lower everywhere";
+}
+
+// Stacked roofs, of which each covers most of its cell.
+TEST(SurfaceStore, LooksAtTheHighestOfAStackAlone) {
+  const test::TempFolder folder;
+  SurfaceStore store(folder / "x");
+  constexpr int layers = 5000;
+  for (int n = 0; n < layers; ++n) {
+    const double z = (n * 7919) % layers, aside = 0.001 * n;  // in any order
+    store.add({aside, 0, z}, {aside + 120, 0, z}, {aside, 120, z});
+  }
+  EXPECT_EQ(store.highest_at({40, 40}), layers - 1);
+  EXPECT_LE(store.count_candidates({40, 40}), 4u);
+  EXPECT_EQ(store.highest_at({-5, 40}), std::nullopt);
+}
+
+// Beyond its edges, within their tolerance, a steep triangle is higher than its corners.
+TEST(SurfaceStore, FindsSteepTrianglesThatRiseAboveTheirCornersAtTheEdge) {
+  const test::TempFolder folder;
+  SurfaceStore store(folder / "x");
+  store.add({0, 0, 0}, {0.01, 0, 100}, {0, 10, 0});  // rises eastward, 10 km a metre
+  store.add({-5, -5, 100.001}, {5, -5, 100.001}, {0, 5, 100.001});
+  EXPECT_GT(store.highest_at({0.0100005, 0}).value(), 100.004);
+  EXPECT_EQ(store.highest_at({0.009, 0}), 100.001);
 }
 
 TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
