@@ -165,10 +165,10 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
   GDALDatasetUniquePtr dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                  drivers.data(), options.List(), nullptr));
   if (!dataset)
-    throw Error(inventory.file.string(),
-                "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "
-                "FlatGeobuf): " +
-                    explain_unread(inventory.file));
+    throw NoTable(inventory.file.string(),
+                  "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "
+                  "FlatGeobuf): " +
+                      explain_unread(inventory.file));
   return dataset;
 }
 
