@@ -88,25 +88,12 @@ class LampTagReader {
   }
 
   void read_switching() {
-    const auto outage = find_outage(tags_, today(), lamp_.unread);
-    lamp_.outage = outage;
+    lamp_.outage = find_outage(tags_, today(), lamp_.unread);
     for (const char* key : {"lit", "light:lit"}) {
-      const std::string* text = find(key);
-      if (!text) continue;
-      const LitTag lit = read_lit_tag(*text);
-      if (lit.kind == LitTag::Kind::dark) lamp_.outage = "lit=no";
-      if (lit.kind == LitTag::Kind::not_understood) count_unread(key, *text);
-      if (!lamp_.hours) lamp_.hours = lit.hours;
-    }
-    if (const std::string* text = find("lit:conditional")) {
-      const bool is_lit = lamp_.outage != "lit=no";
-      const auto hours = lamp_.hours ? std::nullopt : read_lit_condition(*text, is_lit);
-      if (hours) {
-        lamp_.outage = outage;
-        lamp_.hours = hours;
-      } else {
-        count_unread("lit:conditional", *text);
-      }
+      const LitTags read = read_lit_tags(tags_, key);
+      for (const std::string& text : read.unread) ++lamp_.unread[text];
+      if (read.lit.kind == LitTag::Kind::dark) lamp_.outage = "lit=no";
+      if (!lamp_.hours) lamp_.hours = read.lit.hours;
     }
     lamp_.unlit = !lamp_.outage.empty();
   }

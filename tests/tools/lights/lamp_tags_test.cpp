@@ -225,6 +225,13 @@ TEST(LitTag, ConditionsTakeHoursFromTheNightOrGiveThem) {
   EXPECT_EQ(read_lamp_tags(tags).hours, evening);
   tags["disused"] = "yes";
   EXPECT_TRUE(read_lamp_tags(tags).unlit);
+
+  // Without `lit`, the hours of a condition are all the light there is.
+  EXPECT_EQ(read_lamp_tags({{"lit:conditional", "yes @ (sunset-23:00)"}}).hours, evening);
+  EXPECT_EQ(read_lamp_tags({{"lit:conditional", "no @ (23:00-05:00)"}}).hours, evening_and_morning);
+  EXPECT_TRUE(read_lamp_tags({{"lit:conditional", "yes @ (Sa 17:00-23:00)"}}).unlit);
+  EXPECT_TRUE(read_lamp_tags({{"lit", "Sa 17:00-23:00"}}).unlit);
+  EXPECT_TRUE(read_lamp_tags({{"lit", "Sa 17:00-23:00"}}).unread.empty());
 }
 
 TEST(LitTag, EveryValueIsLitDarkUnknownOrNotUnderstood) {
