@@ -139,6 +139,20 @@ TEST(FileFormat, HiddenEntriesOfAnArchiveAreNoCities) {
   std::size_t buildings = 0;
   read_city(file.path(), {}, [&](city::CityObject&&) { ++buildings; });
   EXPECT_EQ(buildings, 1u);
+  const std::string json =
+      "{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{},\"vertices\":[]}";
+  const TemporaryFile mixed(
+      zipped("a.gml", city_text,
+             {{"b.gml.gz", gzipped(city_text)}, {"c.zip", "PK"}, {"d.json", json}}),
+      ".zip");
+  std::size_t objects = 0;
+  const auto report = read_city(mixed.path(), {}, [&](city::CityObject&&) { ++objects; });
+  EXPECT_EQ(objects, 1u);
+  ASSERT_EQ(report.warnings.size(), 2u);
+  EXPECT_NE(report.warnings[0].find("2 packed files inside were passed over (first b.gml.gz)"),
+            std::string::npos);
+  EXPECT_NE(report.warnings[1].find("1 city models of other formats than CityGML"),
+            std::string::npos);
   const std::string nested = reason_for(zipped("tiles/inner.zip", archive), ".zip");
   EXPECT_NE(nested.find("another packed file (tiles/inner.zip)"), std::string::npos) << nested;
 }
