@@ -114,14 +114,25 @@ class LampTagReader {
     });
   }
 
+  /// Returns the watts of one luminaire from "2x36 W": of two where the post has as many.
+  std::optional<double> read_watts(string_view text) const {
+    const auto watts = osm::parse_watts(text);
+    const std::string* count = find("light:count");
+    if (!watts || !count) return watts;
+    const double factor = osm::take_factor(text);
+    string_view number = *count;
+    return osm::take_number(number) == factor ? std::optional(*watts / factor) : watts;
+  }
+
   /// Type of lamp, flux and power.
   void read_source() {
     if (const std::string* model = find("luminaire_model")) lamp_.model = *model;
     lamp_.flux_lm = first_of(
         {"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
         between(10, 200000, osm::parse_lumens));
-    lamp_.power_w = first_of({"light:power", "lamp_power", "lamp:power", "wattage", "power:rating"},
-                             between(1, 2000, osm::parse_watts));
+    lamp_.power_w =
+        first_of({"light:power", "lamp_power", "lamp:power", "wattage", "power:rating"},
+                 between(1, 2000, [this](string_view text) { return read_watts(text); }));
     lamp_.type =
         first_of({"light:method", "lamp_type", "light:type", "light_type"}, parse_lamp_type);
     // "electric" only says that it is not gas, but it is no mistake.
@@ -187,9 +198,24 @@ class LampTagReader {
 
 }  // namespace
 
+namespace {
+
+// Makers' codes for colours of light are the tens of the colour rendering index and the hundreds of
+// the temperature: 830 is a rendering above 80 at 3000 K.
+std::optional<double> parse_colour_code(string_view word) {
+  if (word.size() != 3 || word[0] < '6' || word[0] > '9') return std::nullopt;
+  string_view behind = word.substr(1);
+  const auto hundreds = osm::take_number(behind);
+  const bool fits = hundreds && behind.empty() && *hundreds >= 18 && *hundreds <= 65;
+  return fits ? std::optional(100 * *hundreds) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<double> parse_cct_k(string_view text) {
   for (string_view part : osm::split_list(text)) {
     if (const auto known = find_cct_k(osm::normalise_tag(part))) return known;
+    if (const auto of_code = parse_colour_code(part)) return of_code;
     const std::string plain = osm::to_plain_signs(part);
     part = plain;
     auto value = osm::take_amount(part, least_cct_k);

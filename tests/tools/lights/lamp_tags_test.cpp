@@ -19,8 +19,19 @@ TEST(LampTags, ColourTemperaturesAsNumbersAndWords) {
   EXPECT_EQ(parse_cct_k("3.000"), 3000);
   EXPECT_EQ(parse_cct_k("2 700-3 000 K"), 2850);
   EXPECT_EQ(parse_cct_k("4000 \xc2\xb0K"), 4000);
-  for (const char* text : {"", "3 K", "560 nm", "30000000", "blue"})
+  EXPECT_EQ(parse_cct_k("830"), 3000);
+  EXPECT_EQ(parse_cct_k("727"), 2700);
+  EXPECT_EQ(parse_cct_k("965"), 6500);
+  for (const char* text :
+       {"", "3 K", "560 nm", "30000000", "blue", "830 K", "530", "899", "8.0", "8-3"})
     EXPECT_FALSE(parse_cct_k(text)) << text;
+}
+
+TEST(LampTags, WattsOfSeveralTubesAreThoseOfALuminaire) {
+  EXPECT_EQ(read_lamp_tags({{"light:power", "2x36 W"}}).power_w, 72);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "2x36 W"}, {"light:count", "2"}}).power_w, 36);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "2x36 W"}, {"light:count", "3"}}).power_w, 72);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "72 W"}, {"light:count", "2"}}).power_w, 72);
 }
 
 TEST(LampTags, EachDirectionIsALuminaire) {
