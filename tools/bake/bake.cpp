@@ -123,6 +123,7 @@ class Bake {
         city_.build_ground({&tiles_, windows_ ? &*windows_ : nullptr},
                            [this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
     report_.gaps = city_.gaps();
+    report_.skipped_of_map = osm::count_skipped(city_.map());
     report_.cover.add(city_.cover());
     tiles_.drape(city_.height_at());
     if (tiles_.empty() && !shows_model_trees())

@@ -182,33 +182,46 @@ bool is_hidden_entry(std::string_view entry) {
   return name.starts_with('.') || entry.starts_with("__MACOSX/");
 }
 
+// Calls `use` with number and name of each file in an archive.
+void visit_entries(const Archive& archive,
+                   const std::function<void(zip_uint64_t, const std::string&)>& use) {
+  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const auto index = static_cast<zip_uint64_t>(i);
+    const char* entry = zip_get_name(archive.get(), index, ZIP_FL_ENC_GUESS);
+    if (entry && !is_hidden_entry(entry) && !std::string_view(entry).ends_with('/'))
+      use(index, entry);
+  }
+}
+
 std::vector<Document> list_documents_in_archive(const std::string& path,
                                                 std::span<const std::string_view> endings) {
   const auto archive = std::make_shared<Archive>(path);
   std::vector<Document> documents;
   std::string first_entry, packed_entry;  // the first, and the first that is packed itself
-  const zip_int64_t count = zip_get_num_entries(archive->get(), 0);
-  for (zip_int64_t i = 0; i < count; ++i) {
-    const auto index = static_cast<zip_uint64_t>(i);
-    const char* entry = zip_get_name(archive->get(), index, ZIP_FL_ENC_GUESS);
-    if (!entry || is_hidden_entry(entry)) continue;
+  visit_entries(*archive, [&](zip_uint64_t index, const std::string& entry) {
     const std::string lower = to_lower(entry);
-    if (first_entry.empty() && !lower.ends_with('/')) first_entry = entry;
+    if (first_entry.empty()) first_entry = entry;
     if (packed_entry.empty() && ends_with_any(lower, packed_endings)) packed_entry = entry;
-    if (!ends_with_any(lower, endings)) continue;
+    if (!ends_with_any(lower, endings)) return;
     const std::string name = path + "/" + entry;
     documents.push_back(
         {name, true, [=] { return to_utf8(std::make_unique<ZipSource>(archive, index, name)); }});
-  }
-  if (documents.empty() && !packed_entry.empty())
-    throw Error(path, "the archive holds another packed file (" + packed_entry +
-                          "): unpack it and name what is inside");
-  if (documents.empty())
-    throw Error(path, "the archive holds no " + join_endings(endings) +
-                          (first_entry.empty()
-                               ? ""
-                               : ", but " + first_entry + ": unpack it and name what is inside"));
-  return documents;
+  });
+  if (!documents.empty()) return documents;
+  const std::string remedy = ": unpack it and name what is inside";
+  if (!packed_entry.empty())
+    throw Error(path, "the archive holds another packed file (" + packed_entry + ")" + remedy);
+  throw Error(path, "the archive holds no " + join_endings(endings) +
+                        (first_entry.empty() ? "" : ", but " + first_entry + remedy));
+}
+
+constexpr std::string_view zip_mark = "PK\x03\x04";
+
+std::string read_mark(const std::string& path) {
+  std::string mark(zip_mark.size(), '\0');
+  mark.resize(PlainSource(path).read(mark.data(), mark.size()));
+  return mark;
 }
 
 }  // namespace
@@ -231,14 +244,21 @@ std::vector<Document> list_documents(const std::filesystem::path& file,
   std::error_code ignored;  // the opening says what is wrong
   if (std::filesystem::is_directory(file, ignored)) throw Error(path, "is a folder, not a file");
   refuse_special_file(file);
-  char magic[4] = {};
-  const std::size_t got = PlainSource(path).read(magic, sizeof magic);
-  if (got == 0) throw Error(path, "is empty");
-  if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0)
-    return list_documents_in_archive(path, endings);
-  if (got >= 2 && std::memcmp(magic, "\x1f\x8b", 2) == 0)
+  const std::string mark = read_mark(path);
+  if (mark.empty()) throw Error(path, "is empty");
+  if (mark == zip_mark) return list_documents_in_archive(path, endings);
+  if (mark.starts_with("\x1f\x8b"))
     return {{path, true, [=] { return to_utf8(std::make_unique<GzipSource>(path)); }}};
   return {{path, false, [=] { return to_utf8(std::make_unique<PlainSource>(path)); }}};
+}
+
+std::vector<std::string> list_packed_entries(const std::filesystem::path& file) {
+  std::vector<std::string> entries;
+  if (read_mark(file.string()) != zip_mark) return entries;
+  visit_entries(Archive(file.string()), [&entries](zip_uint64_t, const std::string& entry) {
+    if (ends_with_any(to_lower(entry), packed_endings)) entries.push_back(entry);
+  });
+  return entries;
 }
 
 std::string read_start(const Document& document, std::size_t most) {

@@ -41,6 +41,10 @@ bool mentions(const Document& document, std::string_view text);
 std::vector<Document> list_documents(const std::filesystem::path& file,
                                      std::span<const std::string_view> endings);
 
+/// Returns the names of an archive's entries that are packed themselves, by their endings, and so
+/// are no documents; none for other files. Throws Error as list_documents does.
+std::vector<std::string> list_packed_entries(const std::filesystem::path& file);
+
 bool ends_with_any(std::string_view name, std::span<const std::string_view> endings);
 /// Returns ".gml, .xml, .citygml": for messages.
 std::string join_endings(std::span<const std::string_view> endings);

@@ -166,6 +166,8 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
   CityObject object = std::move(raw.object);
   const LodChoice choice = choose_lods(raw, options);
   object.lod = choice.of_object;
+  if (!object.measured_height_m && raw.elevation_span)
+    object.measured_height_m = *raw.elevation_span * options.height_unit_m;
   std::vector<Polygon>& polygons = raw.polygons.polygons();  // the first `count` are kept
   const std::vector<RawPolygons::Place>& places = raw.polygons.places();
   std::size_t count = 0;

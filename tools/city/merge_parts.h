@@ -64,6 +64,9 @@ struct RawObject {
   std::vector<RawSpace> spaces{1};
   RawPolygons polygons;
   bool has_ended = false;  // it was taken out of the model
+  /// How far its roof lies above its ground by elevations that it states, in the unit of the CRS's
+  /// heights: its height where none was measured.
+  std::optional<double> elevation_span;
 };
 
 /// Returns the object with the highest LoD up to `options.max_lod` of every space (of a space that

@@ -154,6 +154,7 @@ const std::unordered_map<std::string_view, P>& properties() {
       {"address", P::address},
       {"appearance", P::appearance},
       {"height", P::height},
+      {"elevation", P::elevation},
       {"name", P::name},
       {"description", P::name},
       {"creationDate", P::name},

@@ -48,6 +48,7 @@ enum class PropertyKind : std::uint8_t {
   address,
   appearance,
   height,     // CityGML 3's con:height
+  elevation,  // con:elevation
   end_date,   // terminationDate, validTo, dateOfDemolition
   condition,  // conditionOfConstruction
   /// gml:name, gml:description, creationDate: metadata that nothing here uses, not worth a count.

@@ -6,25 +6,12 @@
 #include "tools/city/attributes.h"
 #include "tools/city/end_date.h"
 #include "tools/city/plant_attributes.h"
+#include "tools/citygml/heights.h"
 #include "tools/citygml/tag_scanner.h"
 #include "tools/today.h"
 
 namespace nightcity::citygml {
 namespace {
-
-// CityGML 3's con:height holds <con:Height> elements, each with a value and the levels it is
-// measured between. The greatest value is kept.
-void read_height(const pugi::xml_node& property, city::CityObject& object) {
-  for (const pugi::xml_node& height : property.children()) {
-    for (const pugi::xml_node& part : height.children()) {
-      if (local_name(part.name()) != "value") continue;
-      city::CityObject one;
-      city::set_attribute(one, "measuredheight", part.child_value(), find_attribute(part, "uom"));
-      if (one.measured_height_m > object.measured_height_m)
-        object.measured_height_m = one.measured_height_m;
-    }
-  }
-}
 
 // Takes the first function of a traffic area that is a code: the code says who may go there.
 bool read_area_function(const FeatureClass& what, std::string_view name,
@@ -140,6 +127,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
   city::CityObject said;
   if (what.object == city::ObjectType::vegetation) said.plant.emplace();
   std::vector<pugi::xml_node> children, geometries, points;
+  Elevations elevations;
   int relief_lod = -1;
   for (const pugi::xml_node& property : element.children()) {
     if (property.type() != pugi::node_element) continue;
@@ -175,6 +163,9 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
       case PropertyKind::height:
         read_height(property, said);
         break;
+      case PropertyKind::elevation:
+        elevations.read(property);
+        break;
       case PropertyKind::end_date:
         raw.has_ended = raw.has_ended || (what.kind == ClassKind::top &&
                                           city::is_past(property.child_value(), today()));
@@ -191,6 +182,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     }
   }
   city::adopt_attributes(raw.object, said);
+  raw.elevation_span = std::max(raw.elevation_span, elevations.span());
   geometry_.set_plant(said.plant ? &raw.object : nullptr);
   // Surfaces first: a solid that refers to their polygons then leaves them their surface type.
   for (const pugi::xml_node& property : children) read_child_features(property, context, raw);

@@ -144,6 +144,10 @@ const FileFormat& find_format(const std::filesystem::path& path) {
   throw Error(where, why.empty() ? "is of no format that is read here: " + list_names() : why);
 }
 
+const FileFormat* find_format(const city::Document& document) {
+  return recognise({city::read_start(document, start_bytes), name_of(document), document.packed});
+}
+
 std::string find_reason_to_pass_over(const std::filesystem::path& path) {
   const auto documents = city::list_documents(path, city_endings());
   if (documents.size() != 1) return {};

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "tools/city/byte_source.h"
 #include "tools/city/city_reader.h"
 
 namespace nightcity::inputs {
@@ -42,6 +43,9 @@ std::span<const FileFormat> file_formats();
 /// or of no format in the table; the message then says what it is instead, and the remedy
 /// (tools/city/foreign_format.h). Of an archive the first entry of a format in the table decides.
 const FileFormat& find_format(const std::filesystem::path& path);
+
+/// Returns the format of one document of a file, by its first bytes; null: none of the table.
+const FileFormat* find_format(const city::Document& document);
 
 /// Returns why a file that lies in a folder of city files is none of them: metadata, a code list, a
 /// map. "" for a city file, and for one that cannot be told: its reader then says what is wrong.

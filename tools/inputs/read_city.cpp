@@ -1,8 +1,12 @@
 #include "tools/inputs/read_city.h"
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "formats/error.h"
+#include "tools/city/byte_source.h"
+#include "tools/inputs/city_files.h"
 #include "tools/inputs/file_format.h"
 
 namespace nightcity::inputs {
@@ -13,6 +17,31 @@ const city::FileReader& find_reader(const std::filesystem::path& file) {
   if (!format.reader)
     throw Error(file.string(), "is no city model but " + std::string(format.name));
   return *format.reader;
+}
+
+// An archive is read by the reader of its first city model, and what this one does not know is
+// passed over.
+void tell_passed_over(const std::filesystem::path& file, city::ReadReport& report) {
+  if (const auto packed = city::list_packed_entries(file); !packed.empty())
+    report.warnings.push_back(fmt::format(
+        "{}: {} packed files inside were passed over (first {}): unpack the archive, and name what "
+        "is inside",
+        file.string(), packed.size(), packed.front()));
+  const auto documents = city::list_documents(file, city_endings());
+  if (documents.size() < 2) return;
+  std::size_t others = 0;
+  std::string first;
+  const FileFormat& read = find_format(file);
+  for (const city::Document& document : documents) {
+    const FileFormat* format = find_format(document);
+    if (!format || format == &read || format->kind != FileKind::city) continue;
+    if (others++ == 0) first = document.name + " is " + format->name;
+  }
+  if (others > 0)
+    report.warnings.push_back(fmt::format(
+        "{}: {} city models of other formats than {} inside were passed over ({}): unpack the "
+        "archive, and name what is inside",
+        file.string(), others, read.name, first));
 }
 
 }  // namespace
@@ -29,7 +58,9 @@ city::ReadReport read_city(const std::filesystem::path& file, const city::ReadOp
 city::ReadReport read_city_staged(const std::filesystem::path& file,
                                   const city::ReadOptions& options,
                                   const city::ObjectStage& stage) {
-  return find_reader(file).read(file, options, stage);
+  city::ReadReport report = find_reader(file).read(file, options, stage);
+  if (!options.piece) tell_passed_over(file, report);
+  return report;
 }
 
 std::optional<city::FileCuts> find_cuts(const std::filesystem::path& file) {

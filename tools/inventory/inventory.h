@@ -8,7 +8,14 @@
 #include <string>
 #include <string_view>
 
+#include "formats/error.h"
+
 namespace nightcity::inventory {
+
+/// Thrown where no driver takes a file as a table.
+struct NoTable : Error {
+  using Error::Error;
+};
 
 /// A property that a column can hold, and the tag by which the rest of the program knows it
 /// (tools/lights/lamp_tags.h reads the values).

@@ -58,8 +58,8 @@ std::string explain_unread(const std::filesystem::path& file) {
   if (start.empty()) return "it is empty";
   if (const std::string what = city::name_foreign(start, ""); !what.empty())
     return "it " + what + "; a table can be saved as GeoJSON, CSV or GeoPackage (ogr2ogr)";
-  return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons "
-         "or tabs between its columns";
+  return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons, "
+         "tabs or bars between its columns";
 }
 
 // A file in memory under a name of its own. GDAL keeps one that is open when its name is removed.
@@ -89,16 +89,33 @@ bool begins_with_separator(std::string_view text) {
   return to_lower(text.substr(0, 4)) == "sep=";
 }
 
-// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8, and one that
-// begins with "sep=;" without that line; null for others.
+// Returns whether bars separate the columns of a table, which GDAL takes for text: its first line
+// has no other separator.
+bool has_bars(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return line.find('|') != line.npos && line.find_first_of(",;\t") == line.npos;
+}
+
+// Makes tabs of bars but for those in quotation marks.
+void replace_bars(std::string& text) {
+  bool quoted = false;
+  for (char& c : text) {
+    if (c == '"') quoted = !quoted;
+    if (c == '|' && !quoted) c = '\t';
+  }
+}
+
+// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8, one that
+// begins with "sep=;" without that line, and one with bars between its columns with tabs; null for
+// others.
 std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file,
                                                const std::string& ending) {
-  std::array<char, 8> bytes{};
+  std::array<char, 8192> bytes{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start) &&
-      !begins_with_separator(start))
+      !begins_with_separator(start) && !has_bars(start))
     return nullptr;
   constexpr std::size_t most = std::size_t{1} << 30;
   const std::array<std::string_view, 1> endings{ending};
@@ -113,12 +130,13 @@ std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file
     }
     if (end + size > most)
       throw Error(file.string(),
-                  "is text in UTF-16, or with a line \"sep=\", of more than 1 GB: "
-                  "save it in UTF-8 without that line");
+                  "is text in UTF-16, with bars or with a line \"sep=\", of more than 1 GB: "
+                  "save it in UTF-8 with commas and without that line");
   }
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
   text.erase(0, text.find_first_not_of("\r\n"));
+  if (has_bars(text)) replace_bars(text);
   return std::make_unique<TranslatedFile>(std::move(text), ending);
 }
 
@@ -165,10 +183,10 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
   GDALDatasetUniquePtr dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                  drivers.data(), options.List(), nullptr));
   if (!dataset)
-    throw Error(inventory.file.string(),
-                "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "
-                "FlatGeobuf): " +
-                    explain_unread(inventory.file));
+    throw NoTable(inventory.file.string(),
+                  "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "
+                  "FlatGeobuf): " +
+                      explain_unread(inventory.file));
   return dataset;
 }
 

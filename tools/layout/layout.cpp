@@ -10,6 +10,7 @@
 #include "tools/layout/layout_design.h"
 #include "tools/layout/layout_fit.h"
 #include "tools/layout/post_sites.h"
+#include "tools/layout/why_unlit.h"
 #include "tools/lights/lit_tag.h"
 
 namespace nightcity::layout {
@@ -43,10 +44,14 @@ class Layouter {
     std::vector<const osm::OsmWay*> lit, unlit;
     for (const osm::OsmWay& way : osm.highways) {
       if (!roads::read_carriageway(way.tags)) continue;
-      const std::string reason = streets::why_unlit(way);
+      const lights::LitTags read = lights::read_lit_tags(way.tags, "lit");
+      const std::string reason = why_unlit(way, read.lit.kind);
       (reason.empty() ? lit : unlit).push_back(&way);
       if (!reason.empty() && in_model(way, to_frame)) ++report_.unlit_ways[reason];
-      if (reason.empty()) read_hours(way, to_frame);
+      if (reason.empty() && read.lit.hours) lamps_.set_hours(way.id, *read.lit.hours);
+      if (!read.unread.empty() && in_model(way, to_frame))
+        for (const std::string& text : read.unread)
+          ++report_.notes["tag of a way not understood: " + text];
     }
     // The result must not depend on the order of the file.
     std::sort(lit.begin(), lit.end(),
@@ -88,16 +93,6 @@ class Layouter {
     for (int part = 0; part <= parts; ++part)
       if (height_at_(street.place(street.length_m() * part / parts).point)) return true;
     return false;
-  }
-
-  /// Keeps the hours of a way whose tag `lit` gives any, and notes a value that is not understood.
-  void read_hours(const osm::OsmWay& way, const place::LonLatToFrame& to_frame) {
-    const auto found = way.tags.find("lit");
-    if (found == way.tags.end()) return;
-    const lights::LitTag lit = lights::read_lit_tag(found->second);
-    if (lit.hours) lamps_.set_hours(way.id, *lit.hours);
-    if (lit.kind == lights::LitTag::Kind::not_understood && in_model(way, to_frame))
-      ++report_.notes["tag of a way not understood: lit=" + found->second];
   }
 
   /// Chooses arrangement, spacing, flux and side of a street.

@@ -88,25 +88,12 @@ class LampTagReader {
   }
 
   void read_switching() {
-    const auto outage = find_outage(tags_, today(), lamp_.unread);
-    lamp_.outage = outage;
+    lamp_.outage = find_outage(tags_, today(), lamp_.unread);
     for (const char* key : {"lit", "light:lit"}) {
-      const std::string* text = find(key);
-      if (!text) continue;
-      const LitTag lit = read_lit_tag(*text);
-      if (lit.kind == LitTag::Kind::dark) lamp_.outage = "lit=no";
-      if (lit.kind == LitTag::Kind::not_understood) count_unread(key, *text);
-      if (!lamp_.hours) lamp_.hours = lit.hours;
-    }
-    if (const std::string* text = find("lit:conditional")) {
-      const bool is_lit = lamp_.outage != "lit=no";
-      const auto hours = lamp_.hours ? std::nullopt : read_lit_condition(*text, is_lit);
-      if (hours) {
-        lamp_.outage = outage;
-        lamp_.hours = hours;
-      } else {
-        count_unread("lit:conditional", *text);
-      }
+      const LitTags read = read_lit_tags(tags_, key);
+      for (const std::string& text : read.unread) ++lamp_.unread[text];
+      if (read.lit.kind == LitTag::Kind::dark) lamp_.outage = "lit=no";
+      if (!lamp_.hours) lamp_.hours = read.lit.hours;
     }
     lamp_.unlit = !lamp_.outage.empty();
   }
@@ -127,14 +114,25 @@ class LampTagReader {
     });
   }
 
+  /// Returns the watts of one luminaire from "2x36 W": of two where the post has as many.
+  std::optional<double> read_watts(string_view text) const {
+    const auto watts = osm::parse_watts(text);
+    const std::string* count = find("light:count");
+    if (!watts || !count) return watts;
+    const double factor = osm::take_factor(text);
+    string_view number = *count;
+    return osm::take_number(number) == factor ? std::optional(*watts / factor) : watts;
+  }
+
   /// Type of lamp, flux and power.
   void read_source() {
     if (const std::string* model = find("luminaire_model")) lamp_.model = *model;
     lamp_.flux_lm = first_of(
         {"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
         between(10, 200000, osm::parse_lumens));
-    lamp_.power_w = first_of({"light:power", "lamp_power", "lamp:power", "wattage", "power:rating"},
-                             between(1, 2000, osm::parse_watts));
+    lamp_.power_w =
+        first_of({"light:power", "lamp_power", "lamp:power", "wattage", "power:rating"},
+                 between(1, 2000, [this](string_view text) { return read_watts(text); }));
     lamp_.type =
         first_of({"light:method", "lamp_type", "light:type", "light_type"}, parse_lamp_type);
     // "electric" only says that it is not gas, but it is no mistake.
@@ -200,9 +198,24 @@ class LampTagReader {
 
 }  // namespace
 
+namespace {
+
+// Makers' codes for colours of light are the tens of the colour rendering index and the hundreds of
+// the temperature: 830 is a rendering above 80 at 3000 K.
+std::optional<double> parse_colour_code(string_view word) {
+  if (word.size() != 3 || word[0] < '6' || word[0] > '9') return std::nullopt;
+  string_view behind = word.substr(1);
+  const auto hundreds = osm::take_number(behind);
+  const bool fits = hundreds && behind.empty() && *hundreds >= 18 && *hundreds <= 65;
+  return fits ? std::optional(100 * *hundreds) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<double> parse_cct_k(string_view text) {
   for (string_view part : osm::split_list(text)) {
     if (const auto known = find_cct_k(osm::normalise_tag(part))) return known;
+    if (const auto of_code = parse_colour_code(part)) return of_code;
     const std::string plain = osm::to_plain_signs(part);
     part = plain;
     auto value = osm::take_amount(part, least_cct_k);

@@ -26,7 +26,7 @@ struct LampTags {
   std::optional<glm::vec3> colour;  // linear Rec. 709, luminance 1
   std::optional<LampType> type;
   std::optional<LampMount> mount;
-  std::string model;  // of the luminaire, as an inventory names it
+  std::string model;                       // of the luminaire, as an inventory names it
   std::optional<NightSchedule> hours;      // when it is lit, where a tag says so
   std::vector<double> directions_degrees;  // clockwise from north
   // Luminaires on the post, 1 to 12, and no fewer than directions.

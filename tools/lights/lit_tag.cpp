@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tools/lights/is_one_of.h"
+#include "tools/lights/lit_hours.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::lights {
@@ -26,7 +27,10 @@ LitTag read_lit_tag(std::string_view text) {
   if (is_one_of(word, whole_night)) return {LitTag::Kind::lit, {}};
   if (is_one_of(word, part_of_night))
     return {LitTag::Kind::lit, dark_between(minute_of(23, 0), minute_of(5, 0))};
-  if (const auto hours = parse_lit_hours(text)) return {LitTag::Kind::lit, hours};
+  if (const auto hours = parse_lit_hours(text)) {
+    if (hours->never()) return {LitTag::Kind::dark, {}};
+    return {LitTag::Kind::lit, hours};
+  }
   return {LitTag::Kind::not_understood, {}};
 }
 
@@ -58,6 +62,31 @@ std::optional<NightSchedule> read_lit_condition(std::string_view text, bool is_l
   }
   if (!add(night_minutes) || rest.never()) return {};
   return rest;
+}
+
+LitTags read_lit_tags(const osm::OsmTags& tags, const std::string& key) {
+  LitTags read;
+  const auto found = tags.find(key);
+  if (found != tags.end()) {
+    read.lit = read_lit_tag(found->second);
+    if (read.lit.kind == LitTag::Kind::not_understood)
+      read.unread.push_back(key + "=" + found->second);
+  }
+  const auto condition = tags.find(key + ":conditional");
+  if (condition == tags.end()) return read;
+  std::optional<NightSchedule> hours;
+  if (!read.lit.hours) {
+    hours = read_lit_condition(condition->second, read.lit.kind != LitTag::Kind::dark);
+    if (!hours && read.lit.kind == LitTag::Kind::unknown)
+      hours = read_lit_condition(condition->second, false);
+  }
+  if (!hours)
+    read.unread.push_back(key + ":conditional=" + condition->second);
+  else if (hours->never())
+    read.lit.kind = LitTag::Kind::dark;
+  else
+    read.lit = {LitTag::Kind::lit, hours};
+  return read;
 }
 
 }  // namespace nightcity::lights

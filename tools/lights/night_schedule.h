@@ -45,12 +45,6 @@ struct NightSpan {
 };
 std::optional<NightSpan> parse_night_span(std::string_view text);
 
-/// Returns the night that a lamp's tag means (lit=sunset-23:00, "16:00-00:30;05:00-sunrise",
-/// "dusk-dawn", "24/7"). Of hours that differ by the day ("Mo-Fr 17:00-22:00; Sa,Su 17:00-24:00")
-/// those of a Wednesday hold, as traffic is that of a weekday; holidays do not count. Empty if the
-/// text gives no hours ("yes", "automatic"), none in that night, or cannot be read.
-std::optional<NightSchedule> parse_lit_hours(std::string_view text);
-
 /// The schedules of a light file under construction, in the order in which they are added. Equal
 /// ones are stored once, unless `max_known` others came in between: a city has hundreds of
 /// thousands, and memory must not grow with it.

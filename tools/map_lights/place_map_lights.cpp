@@ -94,6 +94,7 @@ class Placer {
     if (!ground_.height_at(box->centre)) return out_.leave_out("outside the model");
     if (has_floodlights(*box)) return out_.leave_out("lit by floodlights of the map");
     const LitThing lit{thing, kind, find_hours(kind, thing.tags, options_, out_.report().notes)};
+    if (lit.hours.night.never()) return out_.leave_out("lit at other times than in the night");
     const char* fault = kind == MapLightKind::pitch ? light_pitch(lit, outline, *box)
                         : kind == MapLightKind::petrol_station
                             ? light_petrol_station(lit, outline, *box)
@@ -105,8 +106,8 @@ class Placer {
   // Petrol stations are lit while they are open; other things where a tag says so.
   bool is_lit(const osm::OsmTags& tags, MapLightKind kind) const {
     using Kind = lights::LitTag::Kind;
-    const Kind lit = lights::read_lit_tag(find_tag(tags, "lit")).kind;
-    const Kind floodlit = lights::read_lit_tag(find_tag(tags, "floodlit")).kind;
+    const Kind lit = lights::read_lit_tags(tags, "lit").lit.kind;
+    const Kind floodlit = lights::read_lit_tags(tags, "floodlit").lit.kind;
     if (kind == MapLightKind::petrol_station) return lit != Kind::dark;
     return lit == Kind::lit || floodlit == Kind::lit;
   }

@@ -110,8 +110,8 @@ class SignReader {
   void read_light() {
     const std::string luminous = osm::normalise_tag(find("luminous"));
     if (luminous == "yes" || luminous == "no") sign_.luminous = luminous == "yes";
-    const lights::LitTag lit = lights::read_lit_tag(find("lit"));
-    if (lit.kind == lights::LitTag::Kind::not_understood) count_unread("lit");
+    const auto [lit, unread] = lights::read_lit_tags(tags_, "lit");
+    for (const std::string& text : unread) ++sign_.unread[text];
     sign_.hours = lit.hours;
     const bool is_lit = lit.kind == lights::LitTag::Kind::lit;
     if (lit.kind == lights::LitTag::Kind::dark && luminous != "yes") {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "formats/finite.h"
+#include "tools/lights/lit_hours.h"
 #include "tools/lights/lit_tag.h"
 #include "tools/osm/tag_values.h"
 
@@ -12,12 +13,12 @@ namespace {
 std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind, const osm::OsmTags& tags,
                                                        std::map<std::string, std::size_t>& notes) {
   for (const char* key : {"floodlit", "lit"})
-    if (const auto hours = lights::read_lit_tag(find_tag(tags, key)).hours) return hours;
+    if (const auto hours = lights::read_lit_tags(tags, key).lit.hours) return hours;
   if (kind != MapLightKind::petrol_station) return std::nullopt;
   const std::string opening = find_tag(tags, "opening_hours");
   if (opening.empty()) return std::nullopt;
   const auto hours = lights::parse_lit_hours(opening);
-  if (!hours) ++notes["opening hours that differ by day or cannot be read"];
+  if (!hours) ++notes["opening hours that cannot be read"];
   return hours;
 }
 

@@ -28,13 +28,7 @@ Inspection inspect_osm(const std::filesystem::path& file) {
   result["lights"] = {{"lamp", data.lamps.size()}};
   result["crs"] = "EPSG:4326";
   result["bbox"] = bounds.to_json(2);
-  result["skipped"] = {{"missing nodes", data.missing_nodes},
-                       {"bad coordinates", data.bad_coordinates},
-                       {"duplicates", data.duplicates},
-                       {"older versions", data.old_versions},
-                       {"ways of too many nodes", data.long_ways},
-                       {"gone or not built yet", data.gone},
-                       {"streets or tracks beyond 64 in one place", data.crowded_ways}};
+  result["skipped"] = osm::count_skipped(data);
   if (!data.remarks.empty()) result["remarks"] = data.remarks;
   result["nodes"] = data.nodes;
   result["ways"] = data.ways;

@@ -79,4 +79,16 @@ struct OsmData {
   std::vector<std::string> remarks;  // of the server that made the file
 };
 
+/// Returns what of the files is not in `map`, by reason, for reports; also reasons that no element
+/// has.
+inline std::map<std::string, std::size_t> count_skipped(const OsmData& map) {
+  return {{"missing nodes", map.missing_nodes},
+          {"bad coordinates", map.bad_coordinates},
+          {"duplicates", map.duplicates},
+          {"older versions", map.old_versions},
+          {"ways of too many nodes", map.long_ways},
+          {"gone or not built yet", map.gone},
+          {"streets or tracks beyond 64 in one place", map.crowded_ways}};
+}
+
 }  // namespace nightcity::osm

@@ -217,9 +217,30 @@ std::optional<double> parse_lumens(string_view text) {
   return parse_amount(text, least, {"lm", "lumen", "lumens"}, {"klm", "k_lm", "kilolumen"});
 }
 
+double take_factor(string_view& text) {
+  constexpr double most = 12;
+  string_view rest = text;
+  skip_blanks(rest);
+  const std::size_t digits = rest.find_first_not_of("0123456789");
+  if (digits == 0 || digits > 2) return 1;
+  const auto factor = take_number(rest);
+  if (!factor || *factor < 1 || *factor > most) return 1;
+  for (const string_view times : {"x", "X", "*", "\xc3\x97"}) {
+    if (!rest.starts_with(times)) continue;
+    rest.remove_prefix(times.size());
+    skip_blanks(rest);
+    if (rest.empty() || !is_digit(rest.front())) return 1;
+    text = rest;
+    return *factor;
+  }
+  return 1;
+}
+
 std::optional<double> parse_watts(string_view text) {
   constexpr double least = 3;
-  return parse_amount(text, least, {"w", "watt", "watts"}, {"kw", "kilowatt"});
+  const double factor = take_factor(text);
+  const auto one = parse_amount(text, least, {"w", "watt", "watts"}, {"kw", "kilowatt"});
+  return one ? std::optional(factor * *one) : std::nullopt;
 }
 
 std::optional<double> parse_length_m(string_view text) {

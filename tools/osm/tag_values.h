@@ -25,9 +25,12 @@ std::optional<double> take_number(std::string_view& text);
 /// `least` or more so: with 100, "12,000" and "12.000" are 12000, and "850.125" is 850.125.
 std::optional<double> take_amount(std::string_view& text, double least);
 
+/// Takes "2 x" off the front of "2 x 36 W" and returns 2, at most 12; 1 where there is none.
+double take_factor(std::string_view& text);
+
 /// Returns lumens from "4500", "4500 lm", "12,000 lm" or "4.5 klm", and watts from "70 W", "1,000
-/// W" or "0.07 kW": no street lamp has 12 lm or 1 W, so that such a number is of thousands. None
-/// from other units.
+/// W", "0.07 kW" or, those of all tubes, "2x36 W": no street lamp has 12 lm or 1 W, so that such a
+/// number is of thousands. None from other units.
 std::optional<double> parse_lumens(std::string_view text);
 std::optional<double> parse_watts(std::string_view text);
 

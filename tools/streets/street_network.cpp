@@ -6,10 +6,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "tools/osm/lifecycle.h"
-#include "tools/osm/tag_values.h"
-#include "tools/today.h"
-
 namespace nightcity::streets {
 namespace {
 
@@ -20,15 +16,6 @@ constexpr double shortest_m = 0.01,
 
 NodeKey key_of(const glm::dvec2& lon_lat) {
   return {std::llround(lon_lat.x * 1e7), std::llround(lon_lat.y * 1e7)};
-}
-
-std::string tag(const osm::OsmWay& way, const char* key) {
-  const auto found = way.tags.find(key);
-  return found == way.tags.end() ? std::string() : osm::normalise_tag(found->second);
-}
-
-bool one_of(const std::string& value, std::initializer_list<const char*> names) {
-  return std::find(names.begin(), names.end(), value) != names.end();
 }
 
 /// A run of one way's nodes between two junctions or ends.
@@ -195,32 +182,6 @@ Street::Place Street::place(double s) const {
   const Piece& piece = pieces[n];
   return {glm::mix(line[n], line[n + 1], t), glm::normalize(line[n + 1] - line[n]), piece.way_id,
           piece.from_m + t * (piece.to_m - piece.from_m)};
-}
-
-std::string why_unlit(const osm::OsmWay& way) {
-  const std::string lit = tag(way, "lit"), highway = tag(way, "highway");
-  if (one_of(lit, {"no", "disused", "broken", "never", "none", "false", "off"})) return "lit=no";
-  if (!one_of(tag(way, "tunnel"), {"", "no"}) || !one_of(tag(way, "covered"), {"", "no"}) ||
-      !one_of(tag(way, "indoor"), {"", "no"}) || highway == "corridor" ||
-      tag(way, "layer").starts_with("_"))
-    return "tunnel or under cover";
-  if (osm::is_out_of_use(way.tags, today())) return "disused";
-  if (tag(way, "area") == "yes") return "square mapped as an area";
-  if (one_of(tag(way, "footway"), {"sidewalk", "crossing", "traffic_island", "access_aisle"}) ||
-      one_of(tag(way, "cycleway"), {"crossing", "sidewalk", "sidepath"}) ||
-      one_of(tag(way, "path"), {"crossing", "sidewalk"}) || tag(way, "is_sidepath") == "yes")
-    return "crossing or pavement beside a street";
-  if (!lit.empty() && lit != "unknown") return {};
-  // Without a tag, towns light streets with houses or through traffic: few junctions of motorways,
-  // no paths, and service roads only if they are more than a driveway.
-  const roads::RoadClass* road_class = roads::find_road_class(highway);
-  if (!road_class) return "unlit by class";
-  if (one_of(tag(way, "access"), {"private", "no"})) return "private";
-  const bool street = road_class->tier != roads::RoadTier::path || highway == "pedestrian";
-  const bool way_in = highway == "service" && !one_of(tag(way, "service"), {"", "alley", "bus"});
-  if (!street || way_in || highway.starts_with("motorway") || highway.starts_with("trunk"))
-    return "unlit by class";
-  return {};
 }
 
 StreetNetwork make_street_network(const std::vector<const osm::OsmWay*>& ways,

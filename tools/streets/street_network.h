@@ -54,11 +54,6 @@ struct StreetNetwork {
   std::vector<Joint> joints;
 };
 
-/// Returns why a way is not to be lit: "lit=no", "tunnel or under cover", "crossing or pavement
-/// beside a street", "unlit by class", ...; empty if it is to be lit. The tag `lit` decides,
-/// otherwise the class of road in a town.
-std::string why_unlit(const osm::OsmWay& way);
-
 /// Decides whether two stretches become one street if nothing else meets them at their common end.
 enum class Joining {
   same_road,  // if class and width agree, whatever their directions

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <initializer_list>
+#include <utility>
 
+#include "tools/survey/choose_place.h"
 #include "tools/terrain/elevation_model.h"
 
 namespace nightcity::survey {
@@ -35,50 +37,62 @@ class Planner {
     plan_.left_out.emplace_back(&file, std::move(why));
   }
 
+  Plan::Files find(std::initializer_list<Use> uses, bool placed_alone = false) const {
+    Plan::Files found;
+    for (const SurveyedFile& file : files_)
+      if (std::find(uses.begin(), uses.end(), file.use) != uses.end() &&
+          (file.has_crs || !placed_alone))
+        found.push_back(&file);
+    return found;
+  }
+
+  // Takes the files of one place, and leaves the others out.
+  void take_place(const Plan::Files& files, double near, std::initializer_list<Use> companions,
+                  Plan::Files& taken) {
+    const PlaceChoice choice =
+        choose_place(files, near, find(companions, true),
+                     [](const SurveyedFile& file, const Box& box) { return lies_at(file, box); });
+    for (std::size_t n = 0; n < choice.places.size(); ++n) {
+      if (n == choice.chosen) {
+        taken = choice.places[n].files;
+        plan_.box = choice.places[n].box;
+        continue;
+      }
+      for (const SurveyedFile* file : choice.places[n].files)
+        leave_out(*file, choice.reason + ": make a recipe of its own");
+    }
+  }
+
   void take_cities() {
-    const bool any_placed = std::any_of(files_.begin(), files_.end(), [](const SurveyedFile& f) {
-      return f.use == Use::city && f.has_crs;
-    });
-    for (const SurveyedFile& file : files_) {
-      if (file.use != Use::city) continue;
-      if (any_placed && !file.has_crs) {
-        leave_out(file,
+    const Plan::Files all = find({Use::city}), placed = find({Use::city}, true);
+    if (placed.empty()) plan_.cities = all;
+    has_place_ = all.empty() || !placed.empty();
+    if (placed.empty()) return;
+    for (const SurveyedFile* file : all)
+      if (!file->has_crs)
+        leave_out(*file,
                   "names no CRS, unlike the other models: say it by [city] crs in a recipe "
                   "of its own");
-      } else if (any_placed && !plan_.box.empty() && !plan_.box.is_near(file.box, near_degrees)) {
-        leave_out(file, "lies elsewhere: make a recipe of its own");
-      } else {
-        plan_.cities.push_back(&file);
-        if (!file.box.empty()) {
-          plan_.box.add(file.box.least);
-          plan_.box.add(file.box.greatest);
-        }
-      }
-    }
-    has_place_ = plan_.cities.empty() || any_placed;
+    take_place(placed, near_degrees, {Use::map, Use::inventory, Use::elevation}, plan_.cities);
   }
 
   void take_maps() {
-    for (const SurveyedFile& file : files_) {
-      if (file.use != Use::map) continue;
+    Plan::Files maps;
+    for (const SurveyedFile* file : find({Use::map})) {
       if (!has_place_)
-        leave_out(file, "cannot be laid under a model that names no CRS: say it by [city] crs");
-      else if (file.box.empty())
-        leave_out(file, "holds neither lamps, streets nor buildings");
-      else if (!plan_.box.empty() && !plan_.box.is_near(file.box, overlap_degrees))
-        leave_out(file, plan_.cities.empty() ? "covers another place than the first map"
-                                             : "covers another place than the model");
+        leave_out(*file, "cannot be laid under a model that names no CRS: say it by [city] crs");
+      else if (file->box.empty())
+        leave_out(*file, "holds neither lamps, streets nor buildings");
+      else if (!plan_.box.empty() && !plan_.box.is_near(file->box, overlap_degrees))
+        leave_out(*file, "covers another place than the model");
       else
-        add_map(file);
+        maps.push_back(file);
     }
-  }
-
-  // Without a model the first map decides where the city lies.
-  void add_map(const SurveyedFile& file) {
-    plan_.maps.push_back(&file);
-    if (!plan_.cities.empty() || file.box.empty()) return;
-    plan_.box.add(file.box.least);
-    plan_.box.add(file.box.greatest);
+    // Without a model the maps decide where the city lies.
+    if (plan_.cities.empty())
+      take_place(maps, overlap_degrees, {Use::inventory, Use::elevation}, plan_.maps);
+    else
+      plan_.maps = std::move(maps);
   }
 
   void take_rasters() {
@@ -86,20 +100,20 @@ class Planner {
       if (file.use != Use::elevation) continue;
       if (file.has_crs && !has_place_)
         leave_out(file, "cannot be laid under a model that names no CRS: say it by [city] crs");
-      else if (file.has_crs && !plan_.box.empty() && !covers_city(file))
+      else if (file.has_crs && !plan_.box.empty() && !lies_at(file, plan_.box))
         leave_out(file, "covers another place than the city");
       else
         plan_.rasters.push_back(&file);
     }
   }
 
-  bool covers_city(const SurveyedFile& file) const {
+  static bool lies_at(const SurveyedFile& file, const Box& box) {
+    if (file.use != Use::elevation) return box.is_near(file.box, overlap_degrees);
     const terrain::ElevationModel model(file.path);
-    const glm::dvec2 size = plan_.box.greatest - plan_.box.least;
+    const glm::dvec2 size = box.greatest - box.least;
     std::vector<glm::dvec2> places;
     for (const double x : {0.1, 0.5, 0.9})
-      for (const double y : {0.1, 0.5, 0.9})
-        places.push_back(plan_.box.least + size * glm::dvec2(x, y));
+      for (const double y : {0.1, 0.5, 0.9}) places.push_back(box.least + size * glm::dvec2(x, y));
     std::vector<double> heights(places.size());
     model.sample(places, heights);
     return std::any_of(heights.begin(), heights.end(), [](double h) { return std::isfinite(h); });
@@ -110,7 +124,7 @@ class Planner {
       if (file.use != Use::inventory) continue;
       if (!has_place_)
         leave_out(file, "cannot be laid under a model that names no CRS: say it by [city] crs");
-      else if (!plan_.box.empty() && !plan_.box.is_near(file.box, overlap_degrees))
+      else if (!plan_.box.empty() && !lies_at(file, plan_.box))
         leave_out(file, "covers another place than the city");
       else
         plan_.inventories.push_back(&file);

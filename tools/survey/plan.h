@@ -20,8 +20,9 @@ struct Plan {
   bool is_empty() const { return cities.empty() && maps.empty(); }
 };
 
-/// The first city model that names a CRS decides where the city lies; files that lie elsewhere, or
-/// cannot be placed beside it, are left out. `files` must outlive the plan.
+/// City models that name a CRS decide where the city lies, maps without such: where several places
+/// are at hand (choose_place.h), one is taken. Files that lie elsewhere, or cannot be placed beside
+/// it, are left out. `files` must outlive the plan.
 Plan make_plan(const std::vector<SurveyedFile>& files);
 
 }  // namespace nightcity::survey

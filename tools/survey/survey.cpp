@@ -147,10 +147,15 @@ SurveyedFile look_at(const fs::path& path) {
   SurveyedFile file;
   file.path = path;
   std::string why;
+  bool is_table = true;  // or broken, and not of another kind
   const auto attempt = [&](const auto& look) {
     try {
       look(file);
       return true;
+    } catch (const inventory::NoTable& error) {
+      is_table = false;
+      if (why.empty()) why = error.what();
+      return false;
     } catch (const Error& error) {
       if (why.empty()) why = error.what();
       return false;
@@ -165,8 +170,7 @@ SurveyedFile look_at(const fs::path& path) {
     const std::string as_other = std::exchange(why, {});
     if (attempt(look_at_table)) return file;
     // What a table lacks says more than that it is no city model; of JSON there are many kinds.
-    if (to_lower(path.extension().string()) == ".json" && why.find("is no table") != why.npos)
-      why = as_other;
+    if (to_lower(path.extension().string()) == ".json" && !is_table) why = as_other;
   }
   if (attempt(look_at_raster)) return file;
   file.use = Use::nothing;

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "formats/error.h"
@@ -674,6 +675,20 @@ TEST(Bake, AMapAloneGivesItsBuildingsTheirWindowsAndLamps) {
     EXPECT_NE(std::string(error.what()).find("the map has no building"), std::string::npos)
         << error.what();
   }
+}
+
+TEST(Bake, TheReportSaysWhatOfTheMapIsGone) {
+  const TempFolder folder;
+  std::string map = map_of_houses("building");
+  const std::string end = "</osm>";
+  map.replace(map.rfind(end), end.size(),
+              "<way id=\"900\"><nd ref=\"1\"/><nd ref=\"2\"/><tag k=\"highway\" "
+              "v=\"residential\"/><tag k=\"end_date\" v=\"2010\"/></way></osm>");
+  write_text(folder / "map.osm", map);
+  Recipe recipe;
+  recipe.osm.files = {folder / "map.osm"};
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(to_json(report)["map"]["skipped"]["gone or not built yet"], 1u);
 }
 
 // A lamp is dimmed and aimed at the sky, and a window goes off for good: theirs are the only values

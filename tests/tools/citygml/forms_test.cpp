@@ -257,6 +257,18 @@ TEST(CityGmlForms, ABlockIsAsHighAsItsStoreys) {
         Case{"<bldg:measuredHeight uom=\"m\">-9999</bldg:measuredHeight>"
              "<bldg:storeysAboveGround>2</bldg:storeysAboveGround>",
              7},
+        // CityGML 3.0: elevations of the roof and of the ground, with or without their place.
+        Case{"<con:elevation><con:Elevation><con:elevationReference>highestRoofEdge"
+             "</con:elevationReference><con:elevationValue>47.5</con:elevationValue>"
+             "</con:Elevation></con:elevation><con:elevation><con:Elevation>"
+             "<con:elevationReference>lowestGroundPoint</con:elevationReference>"
+             "<con:elevationValue>5 6 35.5</con:elevationValue></con:Elevation></con:elevation>"
+             "<bldg:storeysAboveGround>3</bldg:storeysAboveGround>",
+             13},
+        Case{"<con:elevation><con:Elevation><con:elevationReference>highestRoofEdge"
+             "</con:elevationReference><con:elevationValue>47.5</con:elevationValue>"
+             "</con:Elevation></con:elevation>",
+             1},
         Case{"<bldg:storeysAboveGround>0</bldg:storeysAboveGround>", 1}}) {
     const City city = read(city_model(member(house_of("b", c.attributes + plan))));
     ASSERT_EQ(city.objects.size(), 1u);

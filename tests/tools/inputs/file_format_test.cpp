@@ -12,6 +12,7 @@
 #include "formats/error.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
+#include "tools/city/foreign_format.h"
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/read_city.h"
 
@@ -49,6 +50,19 @@ TEST(FileFormat, ContentDecidesAndNotTheName) {
   EXPECT_EQ(name_of_format("IESNA:LM-63-2002\n", ".txt"), "IES");
   EXPECT_EQ(name_of_format("a lamp\nTILT=NONE\n", ".txt"), "IES");
   EXPECT_EQ(name_of_format("no mark at all", ".LDT"), "EULUMDAT");
+}
+
+TEST(FileFormat, ARemedyThatLeadsToAModelIsForWhoWantsOne) {
+  using city::explain_foreign, city::name_foreign;
+  const std::string kml = "<kml xmlns=\"k\"/>", page = "<html><body/></html>";
+  EXPECT_EQ(explain_foreign(kml, ""), "is KML: export the model as CityGML first");
+  EXPECT_EQ(name_foreign(kml, ""), "is KML");
+  EXPECT_EQ(name_foreign(page, ""), explain_foreign(page, ""));
+  EXPECT_EQ(name_foreign("PAR1", ""),
+            "is a Parquet table: export it as GeoPackage or CSV (ogr2ogr)");
+  // A name that holds the word is no remedy.
+  EXPECT_EQ(name_foreign("<CityGMLReport a=\"1\"/>", ""),
+            "is XML of another kind: its root element is <CityGMLReport>");
 }
 
 TEST(FileFormat, ContentDecidesInPackedFilesToo) {
@@ -125,6 +139,20 @@ TEST(FileFormat, HiddenEntriesOfAnArchiveAreNoCities) {
   std::size_t buildings = 0;
   read_city(file.path(), {}, [&](city::CityObject&&) { ++buildings; });
   EXPECT_EQ(buildings, 1u);
+  const std::string json =
+      "{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{},\"vertices\":[]}";
+  const TemporaryFile mixed(
+      zipped("a.gml", city_text,
+             {{"b.gml.gz", gzipped(city_text)}, {"c.zip", "PK"}, {"d.json", json}}),
+      ".zip");
+  std::size_t objects = 0;
+  const auto report = read_city(mixed.path(), {}, [&](city::CityObject&&) { ++objects; });
+  EXPECT_EQ(objects, 1u);
+  ASSERT_EQ(report.warnings.size(), 2u);
+  EXPECT_NE(report.warnings[0].find("2 packed files inside were passed over (first b.gml.gz)"),
+            std::string::npos);
+  EXPECT_NE(report.warnings[1].find("1 city models of other formats than CityGML"),
+            std::string::npos);
   const std::string nested = reason_for(zipped("tiles/inner.zip", archive), ".zip");
   EXPECT_NE(nested.find("another packed file (tiles/inner.zip)"), std::string::npos) << nested;
 }

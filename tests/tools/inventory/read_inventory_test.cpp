@@ -44,6 +44,23 @@ std::string error_of(const std::function<void()>& act) {
   return "no error";
 }
 
+TEST(Inventory, ColumnsMayBeSeparatedByBars) {
+  const TempFolder folder;
+  for (const std::string start : {"", "\xef\xbb\xbf", "sep=|\n"}) {
+    write_text(folder / "lamps.csv", start +
+                                         "ID|lon|lat|HT|W|LAMP|note\n"
+                                         "a|13.4|52.5|8,5|70|HPS|\"one|two\"\n"
+                                         "b|13.401|52.5||40|LED|a;b\n");
+    InventoryFile file = make_file(folder / "lamps.csv");
+    file.crs = "EPSG:4326";
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 2u);
+    EXPECT_EQ(read.lamps[0].tags,
+              (osm::OsmTags{{"height", "8,5"}, {"light:power", "70"}, {"lamp_type", "HPS"}}));
+    EXPECT_EQ(read.lamps[1].lon_lat, glm::dvec2(13.401, 52.5));
+  }
+}
+
 TEST(Inventory, ColumnsBecomeTheTagsThatLampsAreReadBy) {
   const TempFolder folder;
   write_text(folder / "lamps.geojson", three_lamps);

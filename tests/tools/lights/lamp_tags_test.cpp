@@ -19,8 +19,19 @@ TEST(LampTags, ColourTemperaturesAsNumbersAndWords) {
   EXPECT_EQ(parse_cct_k("3.000"), 3000);
   EXPECT_EQ(parse_cct_k("2 700-3 000 K"), 2850);
   EXPECT_EQ(parse_cct_k("4000 \xc2\xb0K"), 4000);
-  for (const char* text : {"", "3 K", "560 nm", "30000000", "blue"})
+  EXPECT_EQ(parse_cct_k("830"), 3000);
+  EXPECT_EQ(parse_cct_k("727"), 2700);
+  EXPECT_EQ(parse_cct_k("965"), 6500);
+  for (const char* text :
+       {"", "3 K", "560 nm", "30000000", "blue", "830 K", "530", "899", "8.0", "8-3"})
     EXPECT_FALSE(parse_cct_k(text)) << text;
+}
+
+TEST(LampTags, WattsOfSeveralTubesAreThoseOfALuminaire) {
+  EXPECT_EQ(read_lamp_tags({{"light:power", "2x36 W"}}).power_w, 72);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "2x36 W"}, {"light:count", "2"}}).power_w, 36);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "2x36 W"}, {"light:count", "3"}}).power_w, 72);
+  EXPECT_EQ(read_lamp_tags({{"light:power", "72 W"}, {"light:count", "2"}}).power_w, 72);
 }
 
 TEST(LampTags, EachDirectionIsALuminaire) {
@@ -225,6 +236,13 @@ TEST(LitTag, ConditionsTakeHoursFromTheNightOrGiveThem) {
   EXPECT_EQ(read_lamp_tags(tags).hours, evening);
   tags["disused"] = "yes";
   EXPECT_TRUE(read_lamp_tags(tags).unlit);
+
+  // Without `lit`, the hours of a condition are all the light there is.
+  EXPECT_EQ(read_lamp_tags({{"lit:conditional", "yes @ (sunset-23:00)"}}).hours, evening);
+  EXPECT_EQ(read_lamp_tags({{"lit:conditional", "no @ (23:00-05:00)"}}).hours, evening_and_morning);
+  EXPECT_TRUE(read_lamp_tags({{"lit:conditional", "yes @ (Sa 17:00-23:00)"}}).unlit);
+  EXPECT_TRUE(read_lamp_tags({{"lit", "Sa 17:00-23:00"}}).unlit);
+  EXPECT_TRUE(read_lamp_tags({{"lit", "Sa 17:00-23:00"}}).unread.empty());
 }
 
 TEST(LitTag, EveryValueIsLitDarkUnknownOrNotUnderstood) {

@@ -1,5 +1,5 @@
 // Hours of light, as people write them and as city.lights stores them.
-#include "tools/lights/night_schedule.h"
+#include "tools/lights/lit_hours.h"
 
 #include <gtest/gtest.h>
 
@@ -112,7 +112,7 @@ TEST(NightSchedule, LitHoursAsPeopleWriteThem) {
     EXPECT_EQ(*hours, schedule) << text;
   }
   for (const char* text :
-       {"", "yes", "sometimes", "23:00", "23:00-", "08:00-16:00", "20:00-22:00;21:00-23:00",
+       {"", "yes", "sometimes", "23:00", "23:00-", "18-23", "20:00-22:00;21:00-23:00",
         "18:00-49:00", "(sunset)-23:00", "(20:00+01:00)-23:00", "(sunset+)-23:00", "(sunset+01:00",
         "()-23:00", "("})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
@@ -139,8 +139,54 @@ TEST(NightSchedule, OfHoursThatDifferByTheDayThoseOfAWednesdayHold) {
     EXPECT_EQ(*hours, schedule) << text;
   }
   for (const char* text :
-       {"PH off", "Mo-Fr", "Mo-Fr;", "Sa 17:00-22:00", "Mo-Fr 17:00-22:00; We off",
-        "Monday 17:00-22:00", "Mo-Fr 20:00-22:00;We"})
+       {"PH off", "Mo-Fr", "Mo-Fr;", "Monday 17:00-22:00", "Mo-Fr 20:00-22:00;We"})
+    EXPECT_FALSE(parse_lit_hours(text)) << text;
+}
+
+TEST(NightSchedule, HoursOfOtherTimesAreReadAndDark) {
+  for (const char* text :
+       {"08:00-16:00", "Sa 17:00-22:00", "Mo-Fr 17:00-22:00; We off", "17:00-07:00; We off",
+        "Jun-Aug 20:00-23:00", "Dec 24-26 16:00-24:00", "We 05:00-06:00", "24/7 off"}) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_TRUE(hours->never()) << text;
+  }
+}
+
+// A night is a Wednesday's evening of December and the morning of the Thursday behind it.
+TEST(NightSchedule, HoursBySeasonOffOpenEndedAndOnClocksOfTwelveHours) {
+  const std::pair<const char*, NightSchedule> known[] = {
+      {"17:00+", night({{0, 840}})},
+      {"20:30+", night({{210, 840}})},
+      {"6pm-11pm", night({{60, 360}})},
+      {"6:30 pm - 12 am", night({{90, 420}})},
+      {"6 PM-midnight", night({{60, 420}})},
+      {"18h30-23h", night({{90, 360}})},
+      {"18.00-23.00", night({{60, 360}})},
+      {"1800-0030", night({{60, 450}})},
+      {"17:00-20:00;20:00-23:00", night({{0, 360}})},
+      {"22:00-06:00 off", night({{0, 300}, {780, 840}})},
+      {"17:00-07:00; 23:00-05:00 off", night({{0, 360}, {720, 840}})},
+      {"sunset-sunrise; Mo-Th 23:00-05:00 off", night({{0, 360}, {720, 840}})},
+      {"Sa 22:00-06:00 off", night({{0, 840}})},
+      {"24/7; PH off", night({{0, 840}})},
+      {"Oct-Mar 17:00-22:00", night({{0, 300}})},
+      {"Oct-Mar: 17:00-22:00; Apr-Sep: 20:00-23:00", night({{0, 300}})},
+      {"Apr-Sep 20:00-23:00; Oct-Mar 17:00-22:00", night({{0, 300}})},
+      {"Oct 15-Mar 15 Mo-Fr 18:00-22:00", night({{60, 300}})},
+      {"Jan,Nov,Dec sunset-23:00", night({{0, 360}})},
+      {"Th 05:00-06:30", night({{720, 810}})},
+      {"17:00-22:00; Dec 18:00-23:00", night({{60, 360}})},
+  };
+  for (const auto& [text, schedule] : known) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_EQ(*hours, schedule) << text;
+  }
+  for (const char* text :
+       {"13pm-14pm", "0am-5am", "930-1200", "17:00-22:00+", "winter 17:00-22:00", "+", "off on",
+        "Oct- 17:00-22:00", "week 1-10 17:00-22:00", "17:00-23:00,22:00-05:00 off", "6-11pm",
+        "17:00-22:00 || \"on demand\"", "easter off", "Mo-Fr 17:00-22:00 off off"})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
 }
 

@@ -70,9 +70,21 @@ TEST(TagValues, ThousandsOfLumensAndWattsMayBeSeparated) {
                                                    {"4500.5", 4500.5},
                                                    {"1.250.000", 1250000}};
   for (const auto& [text, lumens] : fluxes) EXPECT_EQ(parse_lumens(text), lumens) << text;
-  const std::pair<const char*, double> powers[] = {
-      {"1,000 W", 1000}, {"70.000", 70}, {"70,5 W", 70.5}, {"0.25 kW", 250}, {"2.000", 2000}};
+  const std::pair<const char*, double> powers[] = {{"1,000 W", 1000},
+                                                   {"70.000", 70},
+                                                   {"70,5 W", 70.5},
+                                                   {"0.25 kW", 250},
+                                                   {"2.000", 2000},
+                                                   {"2x36 W", 72},
+                                                   {"2 x 36", 72},
+                                                   {"4*18W", 72},
+                                                   {"2\xc3\x97"
+                                                    "58 W",
+                                                    116},
+                                                   {"1x70W", 70}};
   for (const auto& [text, watts] : powers) EXPECT_EQ(parse_watts(text), watts) << text;
+  for (const char* text : {"2x", "2x2x36", "36x2000x", "0x36", "2 36 W", "2xx36"})
+    EXPECT_FALSE(parse_watts(text)) << text;
   for (const char* text : {"", "lm", "12,000 W", "12 00 lm", "2 x 3000 lm", "3000/6000"})
     EXPECT_FALSE(parse_lumens(text)) << text;
 }

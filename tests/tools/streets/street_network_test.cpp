@@ -80,27 +80,5 @@ TEST(StreetNetwork, RepeatedNodesAndBrokenPlacesDoNoHarm) {
     for (std::size_t n = 1; n < s.at_m.size(); ++n) EXPECT_GT(s.at_m[n], s.at_m[n - 1]);
 }
 
-TEST(WhyUnlit, TagsDecideAndClassesDoWhereTheySayNothing) {
-  const auto why = [](osm::OsmTags tags) {
-    return why_unlit(street(1, {{0, 0}, {9, 0}}, std::move(tags)));
-  };
-  EXPECT_EQ(why({{"highway", "residential"}}), "");
-  EXPECT_EQ(why({{"highway", "residential"}, {"lit", "no"}}), "lit=no");
-  EXPECT_EQ(why({{"highway", "footway"}, {"lit", "yes"}}), "");
-  EXPECT_EQ(why({{"highway", "footway"}}), "unlit by class");
-  EXPECT_EQ(why({{"highway", "footway"}, {"footway", "sidewalk"}, {"lit", "yes"}}),
-            "crossing or pavement beside a street");
-  EXPECT_EQ(why({{"highway", "motorway"}}), "unlit by class");
-  EXPECT_EQ(why({{"highway", "motorway"}, {"lit", "24/7"}}), "");
-  EXPECT_EQ(why({{"highway", "service"}, {"service", "driveway"}}), "unlit by class");
-  EXPECT_EQ(why({{"highway", "primary"}, {"tunnel", "yes"}}), "tunnel or under cover");
-  EXPECT_EQ(why({{"highway", "primary"}, {"layer", "-1"}}), "tunnel or under cover");
-  EXPECT_EQ(why({{"highway", "primary"}, {"tunnel", "no"}}), "");
-  EXPECT_EQ(why({{"highway", "residential"}, {"disused", "yes"}}), "disused");
-  EXPECT_EQ(why({{"highway", "residential"}, {"abandoned", "2010"}, {"lit", "yes"}}), "disused");
-  EXPECT_EQ(why({{"highway", "residential"}, {"disused", "no"}}), "");
-  EXPECT_EQ(why({{"highway", "pedestrian"}, {"area", "yes"}}), "square mapped as an area");
-}
-
 }  // namespace
 }  // namespace nightcity::streets

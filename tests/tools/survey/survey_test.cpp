@@ -204,6 +204,55 @@ TEST(Survey, WhatLiesElsewhereOrNowhereIsLeftOutWithItsReason) {
       << report.lights.lamps.dark;
 }
 
+std::string with_all(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())
+    text.replace(at, word.size(), by);
+  return text;
+}
+
+// The first by name lies in another country than the map and the table of lamps.
+TEST(Survey, OfModelsInTwoPlacesThoseAtTheMapAreTaken) {
+  const TempFolder folder;
+  write_text(folder / "a.gml", with_all(sample_gml(), "25833", "25831"));  // 12 degrees west
+  write_text(folder / "b.gml", sample_gml());
+  const auto models = survey_files({folder.path()});
+  const Plan by_name = make_plan(models);
+  ASSERT_EQ(by_name.cities.size(), 1u);
+  EXPECT_EQ(by_name.cities[0]->path.filename(), "a.gml");
+  ASSERT_EQ(by_name.left_out.size(), 1u);
+  EXPECT_NE(by_name.left_out[0].second.find("the first of its kind"), std::string::npos);
+
+  write_text(folder / "map.osm", small_map);
+  const auto with_map = survey_files({folder.path()});
+  const Plan by_map = make_plan(with_map);
+  ASSERT_EQ(by_map.cities.size(), 1u);
+  EXPECT_EQ(by_map.cities[0]->path.filename(), "b.gml");
+  EXPECT_EQ(by_map.maps.size(), 1u);
+  ASSERT_EQ(by_map.left_out.size(), 1u);
+  EXPECT_EQ(by_map.left_out[0].first->path.filename(), "a.gml");
+  EXPECT_NE(by_map.left_out[0].second.find("what goes with the others"), std::string::npos);
+
+  std::filesystem::remove(folder / "map.osm");
+  write_text(folder / "c.gml", sample_gml());
+  const auto three = survey_files({folder.path()});
+  const Plan by_most = make_plan(three);
+  ASSERT_EQ(by_most.cities.size(), 2u);
+  EXPECT_EQ(by_most.cities[0]->path.filename(), "b.gml");
+  EXPECT_NE(by_most.left_out.at(0).second.find("most of its kind"), std::string::npos);
+}
+
+TEST(Survey, OfMapsInTwoPlacesThoseAtTheTableOfLampsAreTaken) {
+  const TempFolder folder;
+  write_text(folder / "a.osm", with_all(small_map, "lon=\"13", "lon=\"23"));
+  write_text(folder / "b.osm", small_map);
+  write_text(folder / "lamps.geojson", lamps);
+  const auto files = survey_files({folder.path()});
+  const Plan plan = make_plan(files);
+  ASSERT_EQ(plan.maps.size(), 1u);
+  EXPECT_EQ(plan.maps[0]->path.filename(), "b.osm");
+  EXPECT_EQ(plan.inventories.size(), 1u);
+}
+
 TEST(Survey, AMapAloneIsACityAndNothingIsNone) {
   const TempFolder folder;
   write_text(folder / "map.osm", small_map);

@@ -267,6 +267,7 @@ json to_json(const BakeReport& report) {
        {{"buildings_of_the_map", report.gaps.buildings},
         {"left_out", report.gaps.left_out},
         {"assumed", report.gaps.assumed}}},
+      {"map", {{"skipped", report.skipped_of_map}}},
       {"bridges", to_json(report.bridges)},
       {"barriers", to_json(report.barriers)},
       {"steps", to_json(report.steps)},

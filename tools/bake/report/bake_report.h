@@ -29,6 +29,7 @@ struct BakeReport {
   GroundReport ground;
   SceneTilesReport tiles;
   GapReport gaps;
+  std::map<std::string, std::size_t> skipped_of_map;  // elements, by reason; also reasons of none
   CoverReport cover;
   BridgesReport bridges;
   BarriersReport barriers;
