@@ -48,7 +48,7 @@ TEST(WallCrowds, GathersWhatABruteForceSearchGathers) {
   for (int n = 0; n < 1500; ++n) {
     places.push_back({static_cast<std::uint32_t>(random() % 9), 0, 0, 0, 0, 0, 0,
                       static_cast<std::uint32_t>(random() % 40)});
-    owners.push_back(random() % 6);
+    owners.push_back(static_cast<std::uint32_t>(random() % 6));
   }
   const WallCrowds crowds = find_crowds(places, owners);
   std::vector<std::uint32_t> expected;
@@ -65,7 +65,9 @@ TEST(WallCrowds, GathersWhatABruteForceSearchGathers) {
     for (std::uint32_t k = 0; k < places.size(); ++k)
       if (places[k] == places[kept.wall]) there.insert(owners[k]);
     ASSERT_EQ(kept.crowd != no_crowd, there.size() > 2);
-    if (kept.crowd != no_crowd) EXPECT_TRUE(std::ranges::equal(crowds.owners[kept.crowd], there));
+    if (kept.crowd != no_crowd) {
+      EXPECT_TRUE(std::ranges::equal(crowds.owners[kept.crowd], there));
+    }
   }
 }
 
