@@ -75,8 +75,8 @@ bool in_picture(ivec2 at) {
 
 // Returns a whole number below 2^23 as a float: its bits are the fraction of a float from 2^23 on.
 // GPUs convert at a fraction of the rate at which they add, and sampling lights converts a lot. It
-// is precise, because a driver (NVIDIA 580) joins the constants of sums, and then a number that is
-// added loses its digits.
+// is precise, because a driver (NVIDIA 580) seems to join the constants of sums, and then a number
+// that is added loses its digits.
 float whole_to_float(uint n) {
   precise const float whole = uintBitsToFloat(n | 0x4B000000u) - 8388608.0;
   return whole;

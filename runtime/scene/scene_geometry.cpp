@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -13,7 +12,6 @@
 #include "formats/finite.h"
 #include "formats/hierarchy/static_geometry.h"
 #include "runtime/scene/parts.h"
-#include "runtime/scene/quantised_nodes.h"
 #include "runtime/scene/stored_bvh.h"
 
 namespace nightcity::scene {
@@ -64,23 +62,6 @@ std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& 
   return {root.node, root.box};
 }
 
-// Returns the boxes of the parts of a mesh that follow each other in its hierarchy: turned, they
-// take less room than the box of the whole. A crown that is turned by an eighth has twice the area
-// seen from above by its box, which as many more rays would enter in vain.
-std::vector<Box> find_parts(const RenderScene& scene, const TriangleRange& range) {
-  constexpr std::size_t most_parts = 32;
-  std::vector<hierarchy::Bounds> bounds(range.end - range.first);
-  scene.triangles.measure(std::span(scene.triangle_order).subspan(range.first, bounds.size()),
-                          bounds);
-  const std::size_t size = (bounds.size() + most_parts - 1) / most_parts;
-  std::vector<Box> parts;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    if (i % size == 0) parts.emplace_back();
-    parts.back().grow(to_box(bounds[i]));
-  }
-  return parts;
-}
-
 gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, bool casts_shadow,
                             const Placement& at) {
   gpu::Instance instance{};
@@ -94,16 +75,13 @@ gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, boo
   return instance;
 }
 
-// Returns a box around all parts once `m` has moved them.
-Box transformed(std::span<const Box> parts, const glm::dmat4& m) {
+Box transformed(const Box& box, const glm::dmat4& m) {
   Box out;
-  glm::dmat3 turned(m);
-  for (int column = 0; column < 3; ++column) turned[column] = glm::abs(turned[column]);
-  for (const Box& box : parts) {
-    const glm::dvec3 lower(box.lower), upper(box.upper);
-    const glm::dvec3 middle(m * glm::dvec4(0.5 * (lower + upper), 1));
-    const glm::dvec3 half = turned * (0.5 * (upper - lower));
-    out.grow({glm::vec3(middle - half), glm::vec3(middle + half)});
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 p((corner & 1) ? box.upper.x : box.lower.x,
+                       (corner & 2) ? box.upper.y : box.lower.y,
+                       (corner & 4) ? box.upper.z : box.lower.z, 1.0);
+    out.grow(glm::vec3(m * p));
   }
   // The corners were rounded to float: a margin of one part in a million keeps the content inside.
   const glm::vec3 margin = 1e-6f * glm::max(glm::abs(out.lower), glm::abs(out.upper)) + 1e-6f;
@@ -210,10 +188,10 @@ const StoredHierarchy* find_stored(RenderScene& out, const std::vector<StoredHie
 void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
                      const StoredMeshes& stored, MeshPlacement& placement, unsigned threads) {
   std::vector<Box> boxes;
-  const auto place = [&](std::uint32_t root, std::span<const Box> parts, const Placement& at,
-                         bool shadow, bool in_bounds = true) {
+  const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow,
+                         bool in_bounds = true) {
     if (root == BVH_EMPTY) return;
-    const Box placed = transformed(parts, at.to_scene);
+    const Box placed = transformed(box, at.to_scene);
     if (!is_within_reach(placed.lower) || !is_within_reach(placed.upper)) {
       ++out.dropped_instances;
       return;
@@ -227,18 +205,13 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
     const auto [root, box] =
         add_blas(out, stored.merged[shadow ? 0 : 1], threads, mesh_stack,
                  find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]));
-    place(root, std::span(&box, 1), {glm::dmat4(1.0)}, shadow);
+    place(root, box, {glm::dmat4(1.0)}, shadow);
   }
-  std::vector<std::optional<std::pair<std::uint32_t, std::vector<Box>>>> built(
-      stored.instanced.size());
+  std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(stored.instanced.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (placement.is_skipped(i) || placement.is_merged(i)) continue;
     auto& mesh = built.at(scene.nodes[i].mesh);
-    if (!mesh) {
-      const TriangleRange& range = *stored.instanced.at(scene.nodes[i].mesh);
-      const std::uint32_t root = add_blas(out, range, threads).first;
-      mesh = {root, find_parts(out, range)};
-    }
+    if (!mesh) mesh = add_blas(out, *stored.instanced.at(scene.nodes[i].mesh), threads);
     for (const Placement& at : placement.find_placements(i))
       place(mesh->first, mesh->second, at, placement.casts_shadow(i), !is_horizon(scene.nodes[i]));
   }
