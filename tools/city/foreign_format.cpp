@@ -197,6 +197,8 @@ std::optional<Foreign> find_xml(std::string_view text, std::string_view root) {
   if (root == "dataset" && text.find("fgd.gsi.go.jp") != text.npos)
     return Foreign{"is GML of the Geospatial Information Authority of Japan",
                    "convert it to GeoTIFF first"};
+  if (root.starts_with("iestm33"))  // and the year of the edition
+    return Foreign{"is photometry in TM-33", "export it as IES LM-63 or EULUMDAT"};
   for (const Root& row : roots)
     if (row.name == root) return row.is;
   if (to_lower(text.substr(0, 64)).starts_with("<!doctype html")) return roots[0].is;

@@ -64,8 +64,8 @@ struct RawObject {
   std::vector<RawSpace> spaces{1};
   RawPolygons polygons;
   bool has_ended = false;  // it was taken out of the model
-  /// How far its roof lies above its ground by elevations that it states, in the unit of the CRS's
-  /// heights: its height where none was measured.
+  /// The height of its roof above its ground by elevations that it states, in the unit of the CRS's
+  /// heights. It stands for the measured height where there is none.
   std::optional<double> elevation_span;
 };
 

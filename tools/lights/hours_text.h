@@ -16,8 +16,8 @@ struct HoursSpan {
 
 struct HoursRule {
   std::vector<HoursSpan> spans;  // apart from each other; none: an `is_off` of whole days
-  /// Whether the rule is for the day of the evening and for that of the morning of our night: a
-  /// Wednesday and a Thursday of December.
+  /// Says whether the rule is for the day of the evening and for that of the morning of our night:
+  /// a Wednesday and a Thursday of December.
   std::array<bool, 2> holds{true, true};
   bool is_for_some_days = false;  // it names days or seasons
   bool is_off = false;

@@ -35,8 +35,9 @@ struct LitTags {
   std::vector<std::string> unread;  // "lit=sometimes"
 };
 
-/// Reads the tag `key` ("lit", "light:lit") and the condition beside it ("lit:conditional"). Without
-/// the first, hours of light in a condition are all the light there is, and dark ones are the gap.
+/// Reads the tag `key` ("lit", "light:lit") and the condition beside it ("lit:conditional").
+/// Without the first, hours of light in a condition are all the light there is, and dark ones are
+/// the gap.
 LitTags read_lit_tags(const osm::OsmTags& tags, const std::string& key);
 
 }  // namespace nightcity::lights

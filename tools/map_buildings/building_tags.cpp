@@ -88,19 +88,24 @@ RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
       {"", RoofShape::flat},
       {"flat", RoofShape::flat},
       {"gabled", RoofShape::gabled},
+      {"gable", RoofShape::gabled},
       {"pitched", RoofShape::gabled},
       {"gambrel", RoofShape::gambrel},
       {"round", RoofShape::round},
       {"saltbox", RoofShape::saltbox},
       {"hipped", RoofShape::hipped},
+      {"hip", RoofShape::hipped},
       {"half_hipped", RoofShape::half_hipped},
       {"mansard", RoofShape::mansard},
       {"pyramidal", RoofShape::pyramidal},
       {"cone", RoofShape::pyramidal},
       {"dome", RoofShape::dome},
       {"onion", RoofShape::onion},
-      {"skillion", RoofShape::skillion}};
-  const std::string text = find_tag(tags, "roof:shape");
+      {"skillion", RoofShape::skillion},
+      {"lean_to", RoofShape::skillion},
+      {"shed", RoofShape::skillion}};
+  std::string text = find_tag(tags, "roof:shape");
+  if (text.empty()) text = find_tag(tags, "building:roof:shape");
   const auto known = table.find(text);
   if (known != table.end()) return known->second;
   notes.add("roof:shape=" + text + ", shown flat");

@@ -126,10 +126,19 @@ class ObjectMaker {
         find_value(building.tags, "addr:postcode"), find_value(building.tags, "addr:city"),
         find_value(building.tags, "addr:country")});
     const LocalPlane plane(building.rings.front().outer.front());
-    if (parts.empty()) add_shells(building, building, plane, raw);
-    for (const MapArea* part : parts)
-      if (!is_absent(part->tags, today_)) add_shells(*part, building, plane, raw);
-    if (!parts.empty()) skipped_.add("outline of a building that has parts");
+    bool has_parts = false;
+    for (const MapArea* part : parts) {
+      if (is_absent(part->tags, today_)) {
+        skipped_.add("part of a building below the ground, not built or gone");
+        continue;
+      }
+      has_parts = true;
+      add_shells(*part, building, plane, raw);
+    }
+    if (has_parts)
+      skipped_.add("outline of a building that has parts");
+    else
+      add_shells(building, building, plane, raw);
     if (const auto said = find_sizes(building.tags, unused_).storeys)
       raw.object.storeys_above_ground = *said;
     return raw;

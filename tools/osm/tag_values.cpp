@@ -41,36 +41,38 @@ void skip_about(string_view& text) {
 constexpr double foot_m = 0.3048, inch_m = 0.0254;
 
 std::optional<double> find_metres_per(string_view unit) {
-  static const std::unordered_map<string_view, double> table{{"", 1},
-                                                             {"m", 1},
-                                                             {"mt", 1},
-                                                             {"mts", 1},
-                                                             {"mtr", 1},
-                                                             {"mtrs", 1},
-                                                             {"meter", 1},
-                                                             {"meters", 1},
-                                                             {"metre", 1},
-                                                             {"metres", 1},
-                                                             {"metro", 1},
-                                                             {"metros", 1},
-                                                             {"metri", 1},
-                                                             {"\xd0\xbc", 1},  // Cyrillic
-                                                             {"cm", 0.01},
-                                                             {"mm", 0.001},
-                                                             {"dm", 0.1},
-                                                             {"km", 1000},
-                                                             {"ft", foot_m},
-                                                             {"foot", foot_m},
-                                                             {"feet", foot_m},
-                                                             {"'", foot_m},
-                                                             {"in", inch_m},
-                                                             {"inch", inch_m},
-                                                             {"inches", inch_m},
-                                                             {"\"", inch_m},
-                                                             {"''", inch_m},
-                                                             {"yd", 3 * foot_m},
-                                                             {"yard", 3 * foot_m},
-                                                             {"yards", 3 * foot_m}};
+  static const std::unordered_map<string_view, double> table{
+      {"", 1},
+      {"m", 1},
+      {"mt", 1},
+      {"mts", 1},
+      {"mtr", 1},
+      {"mtrs", 1},
+      {"meter", 1},
+      {"meters", 1},
+      {"metre", 1},
+      {"metres", 1},
+      {"metro", 1},
+      {"metros", 1},
+      {"metri", 1},
+      {"\xd0\xbc", 1},  // Cyrillic, small and capital
+      {"\xd0\x9c", 1},
+      {"cm", 0.01},
+      {"mm", 0.001},
+      {"dm", 0.1},
+      {"km", 1000},
+      {"ft", foot_m},
+      {"foot", foot_m},
+      {"feet", foot_m},
+      {"'", foot_m},
+      {"in", inch_m},
+      {"inch", inch_m},
+      {"inches", inch_m},
+      {"\"", inch_m},
+      {"''", inch_m},
+      {"yd", 3 * foot_m},
+      {"yard", 3 * foot_m},
+      {"yards", 3 * foot_m}};
   if (unit.ends_with('.')) unit.remove_suffix(1);
   const auto found = table.find(unit);
   return found == table.end() ? std::nullopt : std::optional(found->second);
@@ -85,6 +87,7 @@ std::optional<double> take_inches(string_view rest) {
       feet = true;
     }
   if (!feet) return std::nullopt;
+  if (rest.starts_with('-')) rest.remove_prefix(1);  // 32'-6", as drawings have it
   const auto inches = take_number(rest);
   if (!inches) return std::nullopt;
   const std::string unit = normalise_tag(rest);

@@ -44,6 +44,21 @@ std::string error_of(const std::function<void()>& act) {
   return "no error";
 }
 
+TEST(Inventory, ColumnsOfPlacesHaveNamesInManyLanguages) {
+  const TempFolder folder;
+  for (const char* names :
+       {"geo_lon,geo_lat", "lon_wgs84,lat_wgs84", "dlugosc,szerokosc",
+        "d\u0142ugo\u015b\u0107,szeroko\u015b\u0107", "zem_delka,zem_sirka", "x_4326,y_4326"}) {
+    write_text(folder / "lamps.csv", std::string(names) + ",HT\n13.4,52.5,8\n");
+    InventoryFile file;
+    file.file = folder / "lamps.csv";
+    file.crs = "EPSG:4326";
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 1u) << names;
+    EXPECT_EQ(read.lamps[0].lon_lat, glm::dvec2(13.4, 52.5)) << names;
+  }
+}
+
 TEST(Inventory, ColumnsMayBeSeparatedByBars) {
   const TempFolder folder;
   for (const std::string start : {"", "\xef\xbb\xbf", "sep=|\n"}) {

@@ -471,6 +471,36 @@ TEST(MapBuildings, ThousandsOfRingsOfOneRelationAreBuildings) {
   }
 }
 
+// A part that does not stand takes no outline away.
+TEST(MapBuildings, AnOutlineStandsWhereAllItsPartsAreGone) {
+  for (const char* tags : {"building:part=no,height=30", "building:part=yes,end_date=2001",
+                           "building:part=yes,building:levels=0,building:levels:underground=2"}) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, "building=yes,height=12");
+    map.add_rectangle(0, 0, 5, 6, tags);
+    const Read result = read(map);
+    ASSERT_EQ(result.objects.size(), 1u) << tags;
+    expect_near(volume(result.objects[0]), 10 * 6 * 12);
+    EXPECT_EQ(result.report.skipped.at("part of a building below the ground, not built or gone"),
+              1u);
+    EXPECT_FALSE(result.report.skipped.contains("outline of a building that has parts"));
+  }
+}
+
+TEST(MapBuildings, ShapesOfRoofsHaveOtherNames) {
+  for (const char* shape : {"roof:shape=lean_to", "roof:shape=shed", "building:roof:shape=skillion",
+                            "roof:shape=gable", "roof:shape=hip"}) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, std::string("building=yes,height=12,roof:height=3,") + shape);
+    const Read result = read(map);
+    const std::string name = shape;
+    // A slope and a ridge have half of a block's volume, hips of 45 degrees seen from above less.
+    const double under_roof = name.ends_with("hip") ? 60 * 3 / 2.0 - 6 * 6 * 3 / 6.0 : 60 * 3 / 2.0;
+    expect_near(volume(result.objects.at(0)), 60 * 9 + under_roof);
+    EXPECT_TRUE(result.report.skipped.empty()) << shape;
+  }
+}
+
 TEST(MapBuildings, WhatIsAssumedOrNotShownIsCounted) {
   Map map;
   map.add_rectangle(0, 0, 10, 6, "building=yes");

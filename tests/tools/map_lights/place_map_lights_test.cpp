@@ -41,6 +41,18 @@ osm::OsmData make_street() {  // along the x axis
 
 const osm::OsmTags soccer{{"leisure", "pitch"}, {"sport", "soccer"}, {"lit", "yes"}};
 
+TEST(MapLights, APetrolStationThatIsOpenByDayAloneIsDark) {
+  const auto lit = [](const char* hours) {
+    const MapLightSet set =
+        place({area(3, {0, 0}, {60, 40}, {{"amenity", "fuel"}, {"opening_hours", hours}})});
+    return kind_of(set, MapLightKind::petrol_station).lit;
+  };
+  EXPECT_EQ(lit("Mo-Su 06:00-22:00"), 1u);
+  EXPECT_EQ(lit("08:00-16:00"), 0u);
+  EXPECT_EQ(lit("Sa-Su 08:00-20:00"), 0u);
+  EXPECT_EQ(lit("by appointment"), 1u);  // by the rule, and told
+}
+
 TEST(MapLights, ASignGivesPiTimesLuminanceTimesArea) {
   const MapLightSet set = place({node(1, {0, 12}, {{"advertising", "screen"}, {"size", "4x3"}})},
                                 {}, test::make_flat_ground(), make_street());

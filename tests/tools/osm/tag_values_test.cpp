@@ -44,6 +44,8 @@ TEST(TagValues, LengthsInInchesYardsTypographyAndAboutRight) {
                                                    "7 m",
                                                    6},
                                                   {"6 mts", 6},
+                                                  {"32'-6\"", 9.906},
+                                                  {"6 \xd0\x9c", 6},
                                                   {"6 \xd0\xbc", 6}};
   for (const auto& [text, metres] : known) {
     const auto length = parse_length_m(text);
