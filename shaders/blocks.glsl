@@ -1,6 +1,6 @@
-// What squares of WORKGROUP_SIZE^2 pixels showed in the frame before, by which the frame after
-// chooses how it samples: those that showed nearly nothing get fewer candidates, and where strong
-// lights were hidden, others are tested instead. Choices may depend on it, M and the weights of
+// Remembers what squares of WORKGROUP_SIZE^2 pixels showed in the frame before. The next frame
+// samples by it: squares that showed nearly nothing get fewer candidates, and where strong lights
+// were hidden, others are tested instead. Choices may depend on it, M and the weights of
 // reuse may not: samples would then decide the weights that they get (docs/estimator.md, condition
 // 2).
 
@@ -9,7 +9,7 @@ const uint DARK_SHARE = 8u;
 // The most that nearly nothing is, in multiples of FRAME.faint_luminance: samples that roulette
 // keeps show that much.
 const float DARK_RANGE = 2.0;
-// What a test counts, so that a half of it counts too.
+// A test counts as many, so that a half of it counts too.
 const uint ONE_TEST = 16u;
 
 // Returns the index of a pixel's block.

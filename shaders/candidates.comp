@@ -19,8 +19,8 @@ const float STRONG_RANGE = 8.0;
 // The chance to test the others where all strong lights of the block were hidden. It falls as the
 // cube of the share that were: where a shadow ends within a block, lit pixels pay for it.
 const float CHANCE_OF_OTHERS = 0.875;
-// Where nothing is known, strong lights with this share of the weight are tested before another is
-// chosen. Those with NOTED_SHARE are noted as seen or hidden.
+// Strong lights with DOMINANT_SHARE of the weight are tested before another is chosen, if nothing
+// is known of the block. Those with NOTED_SHARE are noted as seen or hidden.
 const float DOMINANT_SHARE = 0.75, NOTED_SHARE = 0.5;
 
 // Returns one of the candidates that the receiver sees, or W = 0. Where lights that outshine all

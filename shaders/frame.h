@@ -87,7 +87,8 @@ struct Escape {
   float sideways;   // level or downwards past the scene's edge: neither up nor onto the ground
 };
 
-// What the pixels of a square of WORKGROUP_SIZE^2 showed (blocks.glsl).
+// A record of what the pixels of a square of WORKGROUP_SIZE^2 showed; blocks.glsl reads and writes
+// it.
 struct PixelBlock {
   uint is_lit;  // 1 = one of them showed more than is nearly black
   uint tested;  // tests of strong lights for shadow, in multiples of ONE_TEST

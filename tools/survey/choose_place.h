@@ -19,7 +19,7 @@ struct Place {
 struct PlaceChoice {
   std::vector<Place> places;  // by their first file
   std::size_t chosen = 0;
-  std::string reason;  // why the others were not taken: "lies elsewhere than most of these"
+  std::string reason;  // why the others were not taken: "lies elsewhere than most of its kind"
 };
 
 /// Sorts files into places, where each lies within `near_degrees` of the others of its own, and

@@ -107,6 +107,18 @@ TEST(BoxIndex, ASplitSquareGivesTheSameFirstAndAsksFewer) {
   EXPECT_LT(20 * asked_split, asked_whole);
 }
 
+// Expects the index to find the first area that holds a place, and returns its number. Counts in
+// `asked` at how many areas the index looks.
+std::uint32_t expect_first(const BoxIndex& index, const std::vector<std::vector<Ring>>& areas,
+                           const glm::dvec2& p, std::size_t& asked) {
+  std::uint32_t first = BoxIndex::none;
+  for (std::uint32_t i = 0; i < areas.size() && first == BoxIndex::none; ++i)
+    if (mesh::holds(areas[i], p)) first = i;
+  EXPECT_EQ(index.find_first(p, [&](std::uint32_t i) { return ++asked, mesh::holds(areas[i], p); }),
+            first);
+  return first;
+}
+
 // Each goes to and fro through the square of 256 m, 20 lines of 200 m, 10 m apart.
 TEST(BoxIndex, AreasThatWindThroughTheirSquareAreSplitAsTheirLinesWouldBe) {
   constexpr int turns = 20;
@@ -132,12 +144,7 @@ TEST(BoxIndex, AreasThatWindThroughTheirSquareAreSplitAsTheirLinesWouldBe) {
   constexpr std::size_t places = 1000;
   for (std::size_t n = 0; n < places; ++n) {
     const glm::dvec2 p(place(random), place(random));
-    std::uint32_t first = BoxIndex::none;
-    for (std::uint32_t i = 0; i < winding.size() && first == BoxIndex::none; ++i)
-      if (mesh::holds(winding[i], p)) first = i;
-    EXPECT_EQ(
-        index.find_first(p, [&](std::uint32_t i) { return ++asked, mesh::holds(winding[i], p); }),
-        first);
+    expect_first(index, winding, p, asked);
   }
   EXPECT_LT(asked, 100 * places);  // of 400 areas
 }
@@ -160,13 +167,7 @@ TEST(BoxIndex, AreasOfManyCornersAreACrowdSooner) {
   std::size_t asked = 0, held = 0;
   for (int n = 0; n < 1000; ++n) {
     const glm::dvec2 p(place(random), place(random));
-    std::uint32_t first = BoxIndex::none;
-    for (std::uint32_t i = 0; i < winding.size() && first == BoxIndex::none; ++i)
-      if (mesh::holds(winding[i], p)) first = i;
-    EXPECT_EQ(
-        index.find_first(p, [&](std::uint32_t i) { return ++asked, mesh::holds(winding[i], p); }),
-        first);
-    held += first != BoxIndex::none;
+    held += expect_first(index, winding, p, asked) != BoxIndex::none;
   }
   EXPECT_GT(held, 20u);
   EXPECT_LT(asked, 5000u);  // of 40 areas at each of 1000 places
