@@ -27,6 +27,13 @@ glm::vec3 read_corner(const Json& source, const char* key) {
   return corner;
 }
 
+glm::vec2 read_direction(const Json& source) {
+  const auto values = gltf::numbers(source, "along", {1, 0});
+  const glm::vec2 along(static_cast<float>(values[0]), static_cast<float>(values[1]));
+  if (!is_direction(along)) throw Error("", "along", "is no unit vector");
+  return along;
+}
+
 std::vector<std::uint32_t> read_nodes(const Json& source) {
   const Json& nodes = member(source, "nodes");
   if (!nodes.is_array()) throw Error("", "nodes", "is no array");
@@ -47,6 +54,7 @@ StoredHierarchy read_hierarchy(const Json& source, const gltf::AccessorReader& a
   result.triangles = read_count(source, "triangles");
   result.lower = read_corner(source, "min");
   result.upper = read_corner(source, "max");
+  result.along = read_direction(source);
   result.area_m2 = gltf::number(source, "area", NAN);
   if (!std::isfinite(result.area_m2)) throw Error("", "area", "is no finite number");
   // A hierarchy of one leaf has no node.

@@ -47,6 +47,8 @@ Json describe_hierarchy(const StoredHierarchy& hierarchy, Addition& addition) {
   Json result = {{"castsShadow", hierarchy.casts_shadow}, {"nodes", hierarchy.nodes},
                  {"triangles", hierarchy.triangles},      {"min", gltf::to_json(hierarchy.lower)},
                  {"max", gltf::to_json(hierarchy.upper)}, {"area", hierarchy.area_m2}};
+  if (hierarchy.along != glm::vec2(1, 0))
+    result["along"] = {double(hierarchy.along.x), double(hierarchy.along.y)};
   if (!hierarchy.topology.empty()) result["topology"] = addition.add(hierarchy.topology);
   result["order"] = addition.add(hierarchy.order);
   return result;

@@ -33,9 +33,10 @@ struct BvhNode {
 #define BVH_LEAF_COUNT_SHIFT 27
 #define BVH_LEAF_FIRST_MASK 0x07FFFFFFu  // 134 million triangles
 #define BVH_MAX_LEAF 8
-// Planes of boxes lie at least this part of a step farther out than what they bound: 255 steps are
-// known to 2 * 255 * 2^-23, and so much again is lost when they are rounded.
-#define BVH_MARGIN 1.220703125e-4f
+// Planes of boxes lie at least this part of a step farther out than what they bound. Traversal reads
+// a plane's byte b as 32768 + b, and 2^-9 of a step is lost where 32768 steps are taken off again,
+// and so much where they are multiplied.
+#define BVH_MARGIN 0.0078125f
 #define BVH_STACK 80  // entries that a ray may defer; the builder keeps to it
 
 // Three corners in the mesh's own frame, and what they belong to.
@@ -63,6 +64,8 @@ struct Instance {
 #define MASK_SHADOW 1u   // stops shadow rays
 #define MASK_VISIBLE 2u  // seen by the camera
 #define MASK_VEHICLE 4u  // a vehicle, whose triangles' lights count from the instance's
+// The boxes of its mesh lie along SceneBuffers::boxes_along; its to_object is the identity.
+#define MASK_TURNED 8u
 
 #define TLAS_INSTANCE_WORDS 16u  // 4-byte words of VkAccelerationStructureInstanceKHR
 

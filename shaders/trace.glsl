@@ -60,69 +60,93 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
 #else
 
 struct Ray {
-  vec3 origin;
-  vec3 direction;
-  vec3 inverse;   // 1 / direction, finite
+  vec3 origin;    // in the frame of the boxes
+  vec3 inverse;   // 1 / direction in that frame, finite
   // x, y: shear, z: scale (Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2013).
   vec3 shear;
-  uint axis;      // of the direction's largest component
+  uint axis;      // of the direction's largest component, in the frame of the triangles
 };
 
 vec3 rotate_axis(vec3 v, uint axis) { return axis == 0u ? v.yzx : (axis == 1u ? v.zxy : v); }
 
-Ray make_ray(vec3 origin, vec3 direction) {
-  Ray ray;
-  ray.origin = origin;
-  ray.direction = direction;
+vec3 invert(vec3 direction) {
   const vec3 size = abs(direction);
   // A zero component would give 0 * inf = NaN on a box's plane. A large finite slope decides by its
   // sign instead.
   const float least = max(max(size.x, max(size.y, size.z)) * 1e-15, 1e-30);
-  ray.inverse = 1.0 / mix(direction, vec3(least), lessThan(size, vec3(least)));
+  return 1.0 / mix(direction, vec3(least), lessThan(size, vec3(least)));
+}
+
+Ray make_ray(vec3 origin, vec3 direction) {
+  Ray ray;
+  ray.origin = origin;
+  ray.inverse = invert(direction);
+  const vec3 size = abs(direction);
   ray.axis = size.x > size.y ? (size.x > size.z ? 0u : 2u) : (size.y > size.z ? 1u : 2u);
   const vec3 d = rotate_axis(direction, ray.axis);
   ray.shear = vec3(d.xy, 1.0) / d.z;
   return ray;
 }
 
-vec4 bytes(uint word) {
-  return vec4(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u, word >> 24u);
+// Returns a vector of model space in the frame of MASK_TURNED's boxes.
+vec3 turn_to_boxes(vec3 v) {
+  const vec2 along = SCENE.boxes_along;
+  return vec3(along.x * v.x + along.y * v.z, v.y, along.x * v.z - along.y * v.x);
+}
+
+// Returns 32768 + b for each byte b of a word: b is the second byte of such a float's bits. GPUs put
+// a byte in its place faster than they convert it.
+vec4 biased_bytes(uint word) {
+  return uintBitsToFloat(uvec4(bitfieldInsert(0x47000000u, word, 8, 8),
+                               bitfieldInsert(0x47000000u, word >> 8u, 8, 8),
+                               bitfieldInsert(0x47000000u, word >> 16u, 8, 8),
+                               bitfieldInsert(0x47000000u, word >> 24u, 8, 8)));
+}
+
+// Returns the bits of the distances at which a ray meets a plane of each child.
+ivec4 plane_distances(uint planes, float offset, float stride) {
+  return floatBitsToInt(offset + biased_bytes(planes) * stride);
 }
 
 // Returns which of the four children the ray enters, and at which distances. A child counts where
-// something below it shares a bit with `mask`.
+// something below it shares a bit with `mask`. `t_min` >= 0.
 bvec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, Ray ray,
                      float t_min, float t_max, out vec4 near) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
-  // The ray meets plane b of an axis at offset + b * stride. The stride is finite, because no scene
-  // is larger than max_coordinate_m (formats/finite.h).
+  // The ray meets plane b of an axis at offset + (32768 + b) * stride. The stride is finite, because
+  // no scene is larger than max_coordinate_m (formats/finite.h).
   const vec3 stride = size * ray.inverse;
-  const vec3 offset = (origin - ray.origin) * ray.inverse;
-  // Rounding moves a plane by at most four halves of 2^-23 of b * stride, for which the planes have
-  // BVH_MARGIN, and by as much of the distance as the factor of `far` makes up for. So the test
-  // stays conservative (Ize: Robust BVH Ray Traversal, JCGT 2013).
+  const vec3 offset = (origin - ray.origin) * ray.inverse - 32768.0 * stride;
+  // Rounding moves a plane by parts of a step, for which the planes have BVH_MARGIN, and by a few
+  // times 2^-23 of the distance, which the factor of `far` makes up for. So the test stays
+  // conservative (Ize: Robust BVH Ray Traversal, JCGT 2013).
   const uvec3 lower = w1.xyz, upper = uvec3(w1.w, upper_yz);
   const bvec3 is_backwards = lessThan(ray.inverse, vec3(0.0));
   const uvec3 entry = mix(lower, upper, is_backwards), exit = mix(upper, lower, is_backwards);
-  near =
-      max(max(offset.x + bytes(entry.x) * stride.x, offset.y + bytes(entry.y) * stride.y),
-          max(offset.z + bytes(entry.z) * stride.z, vec4(t_min)));
-  const vec4 far =
-      min(min(offset.x + bytes(exit.x) * stride.x, offset.y + bytes(exit.y) * stride.y),
-          min(offset.z + bytes(exit.z) * stride.z, vec4(t_max))) *
-      1.000001;
+  // As whole numbers, of which some GPUs find the extreme of three at once. Floats keep their order
+  // where one is positive; where `far` is negative, it does not matter which of those it is.
+  const ivec4 nearest = max(max(plane_distances(entry.x, offset.x, stride.x),
+                                plane_distances(entry.y, offset.y, stride.y)),
+                            plane_distances(entry.z, offset.z, stride.z));
+  near = intBitsToFloat(max(nearest, ivec4(floatBitsToInt(t_min))));
+  const ivec4 farthest = min(min(plane_distances(exit.x, offset.x, stride.x),
+                                 plane_distances(exit.y, offset.y, stride.y)),
+                             plane_distances(exit.z, offset.z, stride.z));
+  const vec4 far = intBitsToFloat(min(farthest, ivec4(floatBitsToInt(t_max)))) * 1.000001;
   const bvec4 hit = lessThanEqual(near, far);
   const uvec4 there = uvec4(masks) & (uvec4(mask) << uvec4(0u, 8u, 16u, 24u));
   return bvec4(hit.x && there.x != 0u, hit.y && there.y != 0u, hit.z && there.z != 0u,
                hit.w && there.w != 0u);
 }
 
-// Watertight: both triangles at a shared edge compute the same answer for it.
-bool intersect_triangle(vec3 v0, vec3 v1, vec3 v2, Ray ray, float t_min, float t_max, out float t) {
-  const vec3 a = rotate_axis(v0 - ray.origin, ray.axis);
-  const vec3 b = rotate_axis(v1 - ray.origin, ray.axis);
-  const vec3 c = rotate_axis(v2 - ray.origin, ray.axis);
+// `origin` is the ray's in the frame of the triangle. Watertight: both triangles at a shared edge
+// compute the same answer for it.
+bool intersect_triangle(vec3 v0, vec3 v1, vec3 v2, vec3 origin, Ray ray, float t_min, float t_max,
+                        out float t) {
+  const vec3 a = rotate_axis(v0 - origin, ray.axis);
+  const vec3 b = rotate_axis(v1 - origin, ray.axis);
+  const vec3 c = rotate_axis(v2 - origin, ray.axis);
   precise const vec2 pa = a.xy - ray.shear.xy * a.z;
   precise const vec2 pb = b.xy - ray.shear.xy * b.z;
   precise const vec2 pc = c.xy - ray.shear.xy * c.z;
@@ -171,6 +195,7 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
   int top = 0;
   int floor_of_level = 0;     // stack height at which the current BLAS or TLAS is done
   uint instance = NO_HIT;     // NO_HIT: in the TLAS
+  bool is_turned = false;     // the instance is MASK_TURNED
   Ray ray = make_ray(origin, direction);
 
   // Inner nodes have a loop of their own, so that lanes in lockstep pay for leaves only once one of
@@ -225,6 +250,11 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
               vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) +
                   vec3(r0.w, r1.w, r2.w),
               vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
+          is_turned = (SCENE.instances.at[first].mask & MASK_TURNED) != 0u;
+          if (is_turned) {
+            ray.origin = turn_to_boxes(origin);
+            ray.inverse = invert(turn_to_boxes(direction));
+          }
           instance = first;
           floor_of_level = top;
           node = SCENE.instances.at[first].root;
@@ -232,11 +262,13 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
         }
       } else {
         const uint count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1u;
+        const vec3 from = is_turned ? origin : ray.origin;
         for (uint i = first; i < first + count; ++i) {
           float t;
           if (intersect_triangle(SCENE.triangles.at[i * 3u].xyz,
                                  SCENE.triangles.at[i * 3u + 1u].xyz,
-                                 SCENE.triangles.at[i * 3u + 2u].xyz, ray, t_min, hit.t, t)) {
+                                 SCENE.triangles.at[i * 3u + 2u].xyz, from, ray, t_min,
+                                 hit.t, t)) {
             hit = Hit(t, i, instance);
             if (any) return true;
           }

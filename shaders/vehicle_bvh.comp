@@ -19,7 +19,6 @@ struct Children {
 // runtime/scene/bvh_node.cpp does.
 BvhNode quantised(Children c, vec3 lower, vec3 upper) {
   BvhNode node;
-  node.origin = lower;
   node.exponents = 0u;
   node.masks = node.pad = 0u;
   for (uint i = 0u; i < 4u; ++i) {
@@ -32,10 +31,11 @@ BvhNode quantised(Children c, vec3 lower, vec3 upper) {
     const float per_m = uintBitsToFloat(uint(127 - exponent) << 23u);
     node.exponents |= uint(exponent + 127) << (8u * axis);
     node.lower[axis] = node.upper[axis] = 0u;
+    node.origin[axis] = lower[axis] - 2.0 * BVH_MARGIN * uintBitsToFloat(uint(127 + exponent) << 23u);
     for (uint i = 0u; i < 4u; ++i) {
       if (c.child[i] == BVH_EMPTY) continue;
-      const float low = (c.lower[i][axis] - lower[axis]) * per_m - BVH_MARGIN,
-                  high = (c.upper[i][axis] - lower[axis]) * per_m + BVH_MARGIN;
+      const float low = (c.lower[i][axis] - node.origin[axis]) * per_m - BVH_MARGIN,
+                  high = (c.upper[i][axis] - node.origin[axis]) * per_m + BVH_MARGIN;
       node.lower[axis] |= uint(max(low, 0.0)) << (8u * i);
       node.upper[axis] |= uint(min(ceil(high), 255.0)) << (8u * i);
     }

@@ -50,6 +50,11 @@ struct Bounds {
     lower = min_of(lower, b.lower);
     upper = max_of(upper, b.upper);
   }
+  /// Returns the box that is wider by so much on all sides.
+  Bounds widened(float by) const {
+    const Float4 margin{by, by, by, 0};
+    return {lower - margin, upper + margin};
+  }
   Float4 centre() const { return 0.5f * lower + 0.5f * upper; }
   /// Returns half the surface area; the box must not be empty.
   float half_area() const {

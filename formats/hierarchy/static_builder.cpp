@@ -6,6 +6,7 @@
 #include "formats/hierarchy/parallel_build.h"
 #include "formats/hierarchy/static_geometry.h"
 #include "formats/hierarchy/triangle_pieces.h"
+#include "formats/hierarchy/wall_directions.h"
 #include "formats/scene_reader.h"
 
 namespace nightcity::hierarchy {
@@ -20,7 +21,7 @@ class PieceGatherer {
  public:
   // `most`: there are so many triangles at most. Memory is taken when it is written to, so that room
   // for all costs nothing, and no copies are made as they become more.
-  explicit PieceGatherer(std::size_t most) { pieces_.reserve(most); }
+  PieceGatherer(std::size_t most, const BoxFrame& frame) : frame_(frame) { pieces_.reserve(most); }
   void add(const Corners& triangle) {
     chunk_.push_back(triangle);
     if (chunk_.size() == piece_chunk) cut();
@@ -31,16 +32,21 @@ class PieceGatherer {
     return std::move(pieces_);
   }
   std::uint32_t triangles() const { return triangles_; }
+  // Returns their box in the scene's own frame.
+  const Bounds& box() const { return box_; }
 
  private:
   void cut() {
     made_.clear();
-    append_pieces(chunk_, true, triangles_, made_);
+    append_pieces(chunk_, true, triangles_, frame_, made_);
+    for (const Corners& triangle : chunk_) box_.grow(triangle.bounds());
     pieces_.insert(pieces_.end(), made_.begin(), made_.end());
     triangles_ += static_cast<std::uint32_t>(chunk_.size());
     chunk_.clear();
   }
 
+  const BoxFrame& frame_;
+  Bounds box_;
   std::vector<Corners> chunk_;
   std::vector<TrianglePiece> made_;
   LargeVector<TrianglePiece> pieces_;
@@ -60,20 +66,41 @@ class SceneTriangles {
   }
 
   // Gathers the triangles of static nodes in the order in which nightview stores them, and sets the
-  // nodes.
-  LargeVector<TrianglePiece> gather(StoredHierarchy& hierarchy) {
-    PieceGatherer gatherer(count());
+  // nodes, the number of triangles and their box.
+  LargeVector<TrianglePiece> gather(const BoxFrame& frame, StoredHierarchy& hierarchy) {
+    PieceGatherer gatherer(count(), frame);
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       if (!is_static_[i] || nodes()[i].casts_shadow != hierarchy.casts_shadow) continue;
       const std::vector<glm::dmat4> placements = find_placements(nodes()[i]);
       if (placements.empty()) continue;
       hierarchy.nodes.push_back(nodes()[i].number);
-      for (const ScenePrimitive& primitive : file_.read_mesh(nodes()[i].mesh).primitives)
-        for (const glm::dmat4& to_scene : placements) add(primitive, to_scene, gatherer);
+      for_each_triangle(nodes()[i], placements, [&](const Corners& triangle) { gatherer.add(triangle); });
     }
     LargeVector<TrianglePiece> pieces = gatherer.take();
     hierarchy.triangles = gatherer.triangles();
+    hierarchy.lower = to_vec3(gatherer.box().lower);
+    hierarchy.upper = to_vec3(gatherer.box().upper);
     return pieces;
+  }
+
+  // Returns the frame of the walls, as far as some triangles of some nodes show it.
+  BoxFrame find_frame() {
+    constexpr std::size_t enough_nodes = 64, enough_triangles = 1 << 14;
+    std::vector<std::size_t> casting;
+    for (std::size_t i = 0; i < nodes().size(); ++i)
+      if (is_static_[i] && nodes()[i].casts_shadow) casting.push_back(i);
+    const std::size_t step = 1 + casting.size() / enough_nodes;
+    WallDirections directions;
+    for (std::size_t k = 0; k < casting.size(); k += step) {
+      const SceneNode& node = nodes()[casting[k]];
+      const std::size_t stride =
+          1 + file_.count_triangles(node.mesh) * node.instances.size() / enough_triangles;
+      std::size_t number = 0;
+      for_each_triangle(node, find_placements(node), [&](const Corners& triangle) {
+        if (number++ % stride == 0) directions.add(triangle);
+      });
+    }
+    return directions.find_frame();
   }
 
   // Returns how many there are at most.
@@ -98,17 +125,22 @@ class SceneTriangles {
     return placements;
   }
 
-  static void add(const ScenePrimitive& primitive, const glm::dmat4& to_scene,
-                  PieceGatherer& gatherer) {
+  // Calls take(corners) with each triangle that is shown: of each primitive its copies in turn.
+  template <class Take>
+  void for_each_triangle(const SceneNode& node, const std::vector<glm::dmat4>& placements,
+                         Take take) {
     std::vector<glm::vec3> positions;
-    positions.reserve(primitive.positions.size());
-    for (const glm::vec3& p : primitive.positions) positions.push_back(place(to_scene, p));
-    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-      const glm::vec3 &v0 = positions[primitive.indices[i]],
-                      &v1 = positions[primitive.indices[i + 1]],
-                      &v2 = positions[primitive.indices[i + 2]];
-      if (is_shown(v0, v1, v2)) gatherer.add({to_float4(v0), to_float4(v1), to_float4(v2)});
-    }
+    for (const ScenePrimitive& primitive : file_.read_mesh(node.mesh).primitives)
+      for (const glm::dmat4& to_scene : placements) {
+        positions.clear();
+        for (const glm::vec3& p : primitive.positions) positions.push_back(place(to_scene, p));
+        for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+          const glm::vec3 &v0 = positions[primitive.indices[i]],
+                          &v1 = positions[primitive.indices[i + 1]],
+                          &v2 = positions[primitive.indices[i + 2]];
+          if (is_shown(v0, v1, v2)) take(Corners{to_float4(v0), to_float4(v1), to_float4(v2)});
+        }
+      }
   }
 
   SceneFile file_;
@@ -117,10 +149,11 @@ class SceneTriangles {
 };
 
 std::optional<BuiltHierarchy> build(SceneTriangles& triangles, bool casts_shadow,
-                                    unsigned threads) {
+                                    const BoxFrame& frame, unsigned threads) {
   BuiltHierarchy built;
   built.description.casts_shadow = casts_shadow;
-  LargeVector<TrianglePiece> pieces = triangles.gather(built.description);
+  built.description.along = frame.along;
+  LargeVector<TrianglePiece> pieces = triangles.gather(frame, built.description);
   if (pieces.empty()) return std::nullopt;
   LargeVector<BareNode> nodes;
   const Root root =
@@ -131,8 +164,6 @@ std::optional<BuiltHierarchy> build(SceneTriangles& triangles, bool casts_shadow
   for (const TrianglePiece& piece : pieces)
     for (std::uint32_t i = 0; i < piece.count(); ++i) order.push_back(piece.first() + i);
   pieces = {};
-  built.description.lower = to_vec3(root.box.lower);
-  built.description.upper = to_vec3(root.box.upper);
   for (const BareNode& node : nodes) built.description.area_m2 += double(node.area);
   built.encoded = encode(nodes, root.node, order);
   return built;
@@ -145,8 +176,9 @@ std::vector<BuiltHierarchy> build_static_hierarchies(const std::filesystem::path
   std::vector<BuiltHierarchy> result;
   SceneTriangles triangles(glb, has_traffic);
   if (triangles.count() > leaf_first_mask) return result;
+  const BoxFrame frame = triangles.find_frame();
   for (const bool casts_shadow : {true, false})
-    if (auto built = build(triangles, casts_shadow, threads)) result.push_back(std::move(*built));
+    if (auto built = build(triangles, casts_shadow, frame, threads)) result.push_back(std::move(*built));
   for (BuiltHierarchy& built : result) {
     built.description.topology = std::as_bytes(std::span(built.encoded.topology));
     built.description.order = std::as_bytes(std::span(built.encoded.order));

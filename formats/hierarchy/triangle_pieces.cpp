@@ -15,27 +15,31 @@ bool share_edge(const Corners& a, const Corners& b) {
   return shared >= 2;
 }
 
-// Returns whether two triangles are one piece.
-bool make_pair(const Corners& a, const Corners& b) {
+// Returns whether two triangles are one piece, whose boxes these are.
+bool make_pair(const Corners& a, const Corners& b, const Bounds& of_a, const Bounds& of_b) {
   if (!share_edge(a, b)) return false;
-  const Bounds box = a.bounds(), next = b.bounds();
-  Bounds both = box;
-  both.grow(next);
-  return both.half_area() <= box.half_area() + next.half_area();
+  Bounds both = of_a;
+  both.grow(of_b);
+  return both.half_area() <= of_a.half_area() + of_b.half_area();
 }
 
 }  // namespace
 
 void append_pieces(std::span<const Corners> chunk, bool pairs, std::uint32_t number,
-                   std::vector<TrianglePiece>& pieces) {
-  for (std::size_t i = 0; i < chunk.size(); ++i, ++number) {
-    Bounds box = chunk[i].bounds();
-    if (pairs && i + 1 < chunk.size() && make_pair(chunk[i], chunk[i + 1])) {
-      box.grow(chunk[++i].bounds());
-      pieces.emplace_back(box, number++, 2);
-    } else {
-      pieces.emplace_back(box, number, 1);
+                   const BoxFrame& frame, std::vector<TrianglePiece>& pieces) {
+  for (std::size_t i = 0; i < chunk.size();) {
+    Bounds box = frame.bounds_of(chunk[i]);
+    std::uint32_t count = 1;
+    if (pairs && i + 1 < chunk.size()) {
+      const Bounds next = frame.bounds_of(chunk[i + 1]);
+      if (make_pair(chunk[i], chunk[i + 1], box, next)) {
+        box.grow(next);
+        count = 2;
+      }
     }
+    pieces.emplace_back(box.widened(frame.margin_m), number, count);
+    i += count;
+    number += count;
   }
 }
 

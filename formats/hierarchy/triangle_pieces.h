@@ -8,16 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "formats/hierarchy/bounds.h"
+#include "formats/hierarchy/box_frame.h"
 
 namespace nightcity::hierarchy {
-
-/// The corners of a triangle, m; 0 in the fourth places.
-struct Corners {
-  Float4 v0, v1, v2;
-
-  Bounds bounds() const { return {min_of(min_of(v0, v1), v2), max_of(max_of(v0, v1), v2)}; }
-};
 
 /// One or two consecutive triangles, as their box. Their numbers are in its unused fourth places.
 class TrianglePiece {
@@ -57,8 +50,8 @@ constexpr std::size_t piece_chunk = 1 << 12;
 
 /// Appends the pieces of a chunk of triangles, whose numbers count from `number` on. With `pairs`,
 /// two triangles that follow each other are one piece where they share an edge and their common box
-/// is no larger than both boxes together.
+/// is no larger than both boxes together. Boxes are those of `frame`, with its margin.
 void append_pieces(std::span<const Corners> chunk, bool pairs, std::uint32_t number,
-                   std::vector<TrianglePiece>& pieces);
+                   const BoxFrame& frame, std::vector<TrianglePiece>& pieces);
 
 }  // namespace nightcity::hierarchy

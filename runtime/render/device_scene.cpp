@@ -145,6 +145,7 @@ void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderS
     free_memory_of(released->texels);
   }
   addresses_.root = scene.root;
+  addresses_.boxes_along = scene.boxes_along;
   addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.static_lights;
   std::span<const gpu::Instance> instances = scene.instances;

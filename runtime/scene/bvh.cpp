@@ -69,14 +69,17 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
 
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
-                   unsigned threads, std::span<std::uint32_t> order) {
+                   unsigned threads, std::span<std::uint32_t> order,
+                   const hierarchy::BoxFrame& frame) {
   const std::size_t count = order.size();
   check_sizes(first + count, BVH_MAX_LEAF, UINT32_MAX);
   check_sizes(count, max_leaf, max_stack);
   // If every piece were a pair, a leaf would hold half as many pieces.
   const bool pairs = max_leaf >= 4 && needed_stack(count, max_leaf / 2) <= max_stack;
   const auto from = static_cast<std::uint32_t>(first);
-  LargeVector<TrianglePiece> pieces = make_pieces(triangles, first, count, pairs, threads);
+  Bounds box;
+  LargeVector<TrianglePiece> pieces =
+      make_pieces(triangles, first, count, pairs, frame, threads, box);
   triangles.release_pages();  // from here on, only the pieces are needed
   const hierarchy::Root root =
       pairs ? Build<PieceAccess<2>>(pieces, max_leaf, threads, nodes).build(from, max_stack)
@@ -84,7 +87,7 @@ BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangl
   auto at = order.begin();
   for (const TrianglePiece& piece : pieces)
     for (std::uint32_t i = 0; i < piece.count(); ++i) *at++ = from + piece.first() + i;
-  return {root.node, root.stack_need, to_box(root.box)};
+  return {root.node, root.stack_need, to_box(box)};
 }
 
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {

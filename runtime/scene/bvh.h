@@ -34,16 +34,17 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
 struct BvhRoot {
   std::uint32_t node = BVH_EMPTY;  // a node, a leaf, or BVH_EMPTY
   std::uint32_t stack_need = 0;    // entries that a ray may have to defer
-  Box box{};                       // of all primitives
+  Box box{};                       // of all primitives, in the scene's own frame
 };
 
 /// Builds a BVH over the triangles from `first` on as build_bvh does, and appends its nodes to
-/// `nodes`. `order`, which is as long as there are such triangles, gets the number of the triangle
+/// `nodes`, whose boxes are those of `frame`. `order`, which is as long as there are such triangles, gets the number of the triangle
 /// at each position of the leaves. Positions count from `first` on.
 /// Two triangles that follow each other and share an edge, as halves of quads do, are not parted.
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
-                   unsigned threads, std::span<std::uint32_t> order);
+                   unsigned threads, std::span<std::uint32_t> order,
+                   const hierarchy::BoxFrame& frame = {});
 
 /// Throws Error if a scene can not have as many triangles.
 void check_triangle_count(std::size_t count);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -86,6 +87,7 @@ struct RenderScene {
   glm::dvec3 origin{0};
   LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
+  glm::vec2 boxes_along{1, 0};      // gpu::SceneBuffers::boxes_along
   TriangleList triangles;
   LargeVector<std::uint32_t> triangle_order;  // which triangle is at each position of the leaves
   std::vector<Mesh> meshes{};                 // none is empty

@@ -13,6 +13,7 @@
 #include "formats/hierarchy/static_geometry.h"
 #include "runtime/scene/parts.h"
 #include "runtime/scene/stored_bvh.h"
+#include "runtime/scene/wall_frame.h"
 
 namespace nightcity::scene {
 namespace {
@@ -40,7 +41,8 @@ void say_unused(RenderScene& scene, const std::string& fault) {
 // of these triangles.
 std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& range,
                                        unsigned threads, std::uint32_t stack = mesh_stack,
-                                       const StoredHierarchy* stored = nullptr) {
+                                       const StoredHierarchy* stored = nullptr,
+                                       const hierarchy::BoxFrame& frame = {}) {
   const std::size_t count = range.end - range.first;
   scene.triangle_order.resize(range.end);
   const auto order = std::span(scene.triangle_order).subspan(range.first);
@@ -48,14 +50,14 @@ std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& 
   bool is_built = stored == nullptr;
   if (stored) {
     const std::string fault = append_stored_bvh(scene.nodes, scene.triangles, range.first, *stored,
-                                                triangle_leaf, stack, threads, order, root);
+                                                triangle_leaf, stack, threads, order, root, frame);
     is_built = !fault.empty();
     scene.stored_hierarchies += is_built ? 0 : 1;
     if (is_built) say_unused(scene, fault);
   }
   if (is_built)
-    root =
-        append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads, order);
+    root = append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads,
+                      order, frame);
   if (count > 0)
     scene.meshes.push_back(
         {root.node, static_cast<std::uint32_t>(range.first), static_cast<std::uint32_t>(count)});
@@ -183,6 +185,23 @@ const StoredHierarchy* find_stored(RenderScene& out, const std::vector<StoredHie
   return nullptr;
 }
 
+// The frame of the boxes of everything that does not move: the file's, or else that of the walls.
+hierarchy::BoxFrame find_frame(const RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                               const StoredMeshes& stored, const MeshPlacement& placement) {
+  hierarchy::BoxFrame frame;
+  const auto& all = meshes.hierarchies;
+  frame.along = out.origin == glm::dvec3(0) && !all.empty()
+                    ? all.front().along
+                    : find_wall_direction(out.triangles, stored.merged[0].first, stored.merged[0].end);
+  // A ray is turned with errors of 2^-22 of the coordinates on its way, and may come from as far
+  // away as four times the scene's size.
+  constexpr double per_reach = 0x1p-19;
+  if (frame.is_turned())
+    frame.margin_m =
+        static_cast<float>(per_reach * find_reach(scene, meshes, placement, out.origin));
+  return frame;
+}
+
 // Builds a BLAS for each mesh that is instanced, and two for all others: a ray then crosses the
 // city without leaving and entering instances. And the TLAS over all of them.
 void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
@@ -201,11 +220,17 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
     out.root_box.grow(boxes.back());
     if (in_bounds) out.bounds.grow(boxes.back());
   };
+  const hierarchy::BoxFrame frame = find_frame(out, scene, meshes, stored, placement);
+  out.boxes_along = frame.along;
   for (const bool shadow : {true, false}) {
     const auto [root, box] =
         add_blas(out, stored.merged[shadow ? 0 : 1], threads, mesh_stack,
-                 find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]));
+                 find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]),
+                 frame);
+    const std::size_t before = out.instances.size();
     place(root, box, {glm::dmat4(1.0)}, shadow);
+    if (frame.is_turned() && out.instances.size() > before)
+      out.instances.back().mask |= MASK_TURNED;
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(stored.instanced.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {

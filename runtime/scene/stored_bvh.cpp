@@ -26,10 +26,12 @@ constexpr double max_area = 1.01;
 // Measures the boxes of a hierarchy from the leaves to the root.
 class Measuring {
  public:
-  Measuring(const Topology& topology, const TriangleList& triangles, std::size_t first,
+  Measuring(const Topology& topology, const TriangleList& triangles,
+            const hierarchy::BoxFrame& frame, std::size_t first,
             std::span<const std::uint32_t> order, LargeVector<gpu::BvhNode>& nodes)
       : topology_(topology),
         triangles_(triangles),
+        frame_(frame),
         first_(static_cast<std::uint32_t>(first)),
         order_(order),
         base_(static_cast<std::uint32_t>(nodes.size())) {
@@ -37,9 +39,12 @@ class Measuring {
     nodes_ = nodes.data() + base_;
   }
 
-  // Returns the box of all triangles.
+  // Returns the box of all triangles, in their own frame.
   Bounds measure(unsigned threads) {
-    if (topology_.codes.empty()) return measure_leaf(0, static_cast<std::uint32_t>(order_.size()));
+    if (topology_.codes.empty()) {
+      measure_leaf(0, static_cast<std::uint32_t>(order_.size()));
+      return all_;
+    }
     find_tasks(0, 0);
     std::atomic<std::size_t> read = 0;
     run_parallel(tasks_.size(), threads, [&](std::size_t i) {
@@ -49,16 +54,19 @@ class Measuring {
         triangles_.release_pages();
     });
     Pass top{area_m2_, {}, 0};
-    const Bounds all = measure_top(0, 0, top);
-    for (const Task& task : tasks_) area_m2_ += task.area_m2;
-    return all;
+    measure_top(0, 0, top);
+    for (const Task& task : tasks_) {
+      area_m2_ += task.area_m2;
+      all_.grow(task.all);
+    }
+    return all_;
   }
   double area_m2() const { return area_m2_; }
 
  private:
   struct Task {
     std::uint32_t node, position;  // of its first triangle, from 0 on
-    Bounds box{};
+    Bounds box{}, all{};           // in the frame of the boxes, and in that of the triangles
     double area_m2 = 0;
   };
   // A thread knows this while it measures.
@@ -114,10 +122,13 @@ class Measuring {
           ++count;
         });
     float area = 0;
-    for (std::size_t i = 0; i < count; ++i) area += children[i].box.half_area();
+    for (std::size_t i = 0; i < count; ++i) {
+      area += children[i].box.half_area();
+      children[i].box = children[i].box.widened(frame_.margin_m);
+    }
     area_m2 += double(area);
     gpu::BvhNode made = QuantisedNodes::make(
-        all, std::span<const hierarchy::MeasuredChild>(children.data(), count));
+        all.widened(frame_.margin_m), std::span<const hierarchy::MeasuredChild>(children.data(), count));
     std::copy_n(numbers.begin(), count, made.child);
     nodes_[node] = made;
     return all;
@@ -125,7 +136,8 @@ class Measuring {
 
   void measure(Task& task) {
     Pass pass{task.area_m2, std::vector<Bounds>(topology_.triangles[task.node]), task.position};
-    triangles_.measure(order_.subspan(task.position, pass.boxes.size()), pass.boxes);
+    triangles_.measure(order_.subspan(task.position, pass.boxes.size()), frame_, pass.boxes,
+                       task.all);
     task.box = measure_below(task.node, task.position, pass);
   }
 
@@ -150,9 +162,9 @@ class Measuring {
         [&](std::uint32_t at, std::uint32_t count) { return measure_leaf(at, count); });
   }
 
-  Bounds measure_leaf(std::uint32_t position, std::uint32_t count) const {
+  Bounds measure_leaf(std::uint32_t position, std::uint32_t count) {
     std::vector<Bounds> boxes(count);
-    triangles_.measure(order_.subspan(position, count), boxes);
+    triangles_.measure(order_.subspan(position, count), frame_, boxes, all_);
     Bounds box;
     for (const Bounds& b : boxes) box.grow(b);
     return box;
@@ -160,11 +172,13 @@ class Measuring {
 
   const Topology& topology_;
   const TriangleList& triangles_;
+  const hierarchy::BoxFrame& frame_;
   std::uint32_t first_;
   std::span<const std::uint32_t> order_;
   std::uint32_t base_;
   gpu::BvhNode* nodes_;
   std::vector<Task> tasks_;
+  Bounds all_;  // of the triangles, in their own frame
   double area_m2_ = 0;
 };
 
@@ -173,7 +187,9 @@ class Measuring {
 std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                               std::size_t first, const StoredHierarchy& stored,
                               std::uint32_t max_leaf, std::uint32_t max_stack, unsigned threads,
-                              std::span<std::uint32_t> order, BvhRoot& root) {
+                              std::span<std::uint32_t> order, BvhRoot& root,
+                              const hierarchy::BoxFrame& frame) {
+  if (stored.along != frame.along) return "its boxes lie along another direction";
   if (stored.triangles != order.size()) return "it is of another number of triangles";
   Topology topology;
   std::array<std::string, 2> faults;
@@ -186,7 +202,7 @@ std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleLi
   for (const std::string& fault : faults)
     if (!fault.empty()) return fault;
   const std::size_t base = nodes.size();
-  Measuring measuring(topology, triangles, first, order, nodes);
+  Measuring measuring(topology, triangles, frame, first, order, nodes);
   const Box box = to_box(measuring.measure(threads));
   triangles.release_pages();
   std::string fault;

@@ -74,12 +74,17 @@ void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, St
 }
 
 void TriangleList::measure(std::span<const std::uint32_t> numbers,
-                           std::span<hierarchy::Bounds> to) const {
+                           const hierarchy::BoxFrame& frame, std::span<hierarchy::Bounds> to,
+                           hierarchy::Bounds& all) const {
+  const auto take = [&](std::size_t i, const hierarchy::Corners& corners) {
+    to[i] = frame.bounds_of(corners);
+    all.grow(frame.is_turned() ? corners.bounds() : to[i]);
+  };
   visit(
       numbers, [](const MappedPrimitive&, std::uint32_t) {},
-      [&](std::size_t i, const gpu::Triangle& triangle) { to[i] = corners_of(triangle).bounds(); },
+      [&](std::size_t i, const gpu::Triangle& triangle) { take(i, corners_of(triangle)); },
       [&](std::size_t i, const Block& block, const std::array<std::uint32_t, 3>& corners) {
-        to[i] = block.corners(corners).bounds();
+        take(i, block.corners(corners));
       });
 }
 

@@ -18,7 +18,9 @@ constexpr std::size_t release_chunks = 64;
 }  // namespace
 
 LargeVector<TrianglePiece> make_pieces(const TriangleList& triangles, std::size_t first,
-                                       std::size_t count, bool pairs, unsigned threads) {
+                                       std::size_t count, bool pairs,
+                                       const hierarchy::BoxFrame& frame, unsigned threads,
+                                       hierarchy::Bounds& box) {
   const std::size_t chunks = (count + piece_chunk - 1) / piece_chunk;
   LargeVector<TrianglePiece> pieces;
   pieces.reserve(count);  // room that is not used takes no memory
@@ -32,8 +34,11 @@ LargeVector<TrianglePiece> make_pieces(const TriangleList& triangles, std::size_
     if ((i + 1) % release_chunks == 0) triangles.release_pages();
     std::vector<TrianglePiece> made;
     made.reserve(chunk.size());
-    hierarchy::append_pieces(chunk, pairs, static_cast<std::uint32_t>(begin), made);
+    hierarchy::append_pieces(chunk, pairs, static_cast<std::uint32_t>(begin), frame, made);
+    hierarchy::Bounds of_chunk;
+    for (const hierarchy::Corners& triangle : chunk) of_chunk.grow(triangle.bounds());
     const std::lock_guard lock(appending);
+    box.grow(of_chunk);
     waiting[i] = std::move(made);
     for (; next < chunks && !waiting[next].empty(); ++next) {
       pieces.insert(pieces.end(), waiting[next].begin(), waiting[next].end());

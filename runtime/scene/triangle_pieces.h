@@ -10,8 +10,11 @@
 namespace nightcity::scene {
 
 /// Returns the pieces of `count` triangles from `first` on, in their order; numbers count from
-/// `first` on. `pairs` is as append_pieces has it.
+/// `first` on. `pairs` and `frame` are as append_pieces has them. `box` grows by the triangles, in
+/// the scene's own frame.
 LargeVector<hierarchy::TrianglePiece> make_pieces(const TriangleList& triangles, std::size_t first,
-                                                  std::size_t count, bool pairs, unsigned threads);
+                                                  std::size_t count, bool pairs,
+                                                  const hierarchy::BoxFrame& frame,
+                                                  unsigned threads, hierarchy::Bounds& box);
 
 }  // namespace nightcity::scene
