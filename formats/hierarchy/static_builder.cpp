@@ -74,7 +74,8 @@ class SceneTriangles {
       const std::vector<glm::dmat4> placements = find_placements(nodes()[i]);
       if (placements.empty()) continue;
       hierarchy.nodes.push_back(nodes()[i].number);
-      for_each_triangle(nodes()[i], placements, [&](const Corners& triangle) { gatherer.add(triangle); });
+      for_each_triangle(nodes()[i], placements,
+                        [&](const Corners& triangle) { gatherer.add(triangle); });
     }
     LargeVector<TrianglePiece> pieces = gatherer.take();
     hierarchy.triangles = gatherer.triangles();
@@ -156,9 +157,9 @@ std::optional<BuiltHierarchy> build(SceneTriangles& triangles, bool casts_shadow
   LargeVector<TrianglePiece> pieces = triangles.gather(frame, built.description);
   if (pieces.empty()) return std::nullopt;
   LargeVector<BareNode> nodes;
-  const Root root =
-      ParallelBuild<PieceAccess<2>, BareNodes>(std::span(pieces), static_leaf, threads, nodes)
-          .build(0, static_stack);
+  const Root root = ParallelBuild<PieceAccess<2>, BareNodes>(std::span(pieces), static_leaf,
+                                                             threads, nodes, Effort::thorough)
+                        .build(0, static_stack);
   LargeVector<std::uint32_t> order;
   order.reserve(built.description.triangles);
   for (const TrianglePiece& piece : pieces)
@@ -178,7 +179,8 @@ std::vector<BuiltHierarchy> build_static_hierarchies(const std::filesystem::path
   if (triangles.count() > leaf_first_mask) return result;
   const BoxFrame frame = triangles.find_frame();
   for (const bool casts_shadow : {true, false})
-    if (auto built = build(triangles, casts_shadow, frame, threads)) result.push_back(std::move(*built));
+    if (auto built = build(triangles, casts_shadow, frame, threads))
+      result.push_back(std::move(*built));
   for (BuiltHierarchy& built : result) {
     built.description.topology = std::as_bytes(std::span(built.encoded.topology));
     built.description.order = std::as_bytes(std::span(built.encoded.order));

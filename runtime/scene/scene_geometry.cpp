@@ -190,9 +190,10 @@ hierarchy::BoxFrame find_frame(const RenderScene& out, const Scene& scene, const
                                const StoredMeshes& stored, const MeshPlacement& placement) {
   hierarchy::BoxFrame frame;
   const auto& all = meshes.hierarchies;
-  frame.along = out.origin == glm::dvec3(0) && !all.empty()
-                    ? all.front().along
-                    : find_wall_direction(out.triangles, stored.merged[0].first, stored.merged[0].end);
+  frame.along =
+      out.origin == glm::dvec3(0) && !all.empty()
+          ? all.front().along
+          : find_wall_direction(out.triangles, stored.merged[0].first, stored.merged[0].end);
   // A ray is turned with errors of 2^-22 of the coordinates on its way, and may come from as far
   // away as four times the scene's size.
   constexpr double per_reach = 0x1p-19;
@@ -223,10 +224,9 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
   const hierarchy::BoxFrame frame = find_frame(out, scene, meshes, stored, placement);
   out.boxes_along = frame.along;
   for (const bool shadow : {true, false}) {
-    const auto [root, box] =
-        add_blas(out, stored.merged[shadow ? 0 : 1], threads, mesh_stack,
-                 find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]),
-                 frame);
+    const auto [root, box] = add_blas(
+        out, stored.merged[shadow ? 0 : 1], threads, mesh_stack,
+        find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]), frame);
     const std::size_t before = out.instances.size();
     place(root, box, {glm::dmat4(1.0)}, shadow);
     if (frame.is_turned() && out.instances.size() > before)

@@ -127,8 +127,9 @@ class Measuring {
       children[i].box = children[i].box.widened(frame_.margin_m);
     }
     area_m2 += double(area);
-    gpu::BvhNode made = QuantisedNodes::make(
-        all.widened(frame_.margin_m), std::span<const hierarchy::MeasuredChild>(children.data(), count));
+    gpu::BvhNode made =
+        QuantisedNodes::make(all.widened(frame_.margin_m),
+                             std::span<const hierarchy::MeasuredChild>(children.data(), count));
     std::copy_n(numbers.begin(), count, made.child);
     nodes_[node] = made;
     return all;

@@ -73,9 +73,8 @@ void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, St
   }
 }
 
-void TriangleList::measure(std::span<const std::uint32_t> numbers,
-                           const hierarchy::BoxFrame& frame, std::span<hierarchy::Bounds> to,
-                           hierarchy::Bounds& all) const {
+void TriangleList::measure(std::span<const std::uint32_t> numbers, const hierarchy::BoxFrame& frame,
+                           std::span<hierarchy::Bounds> to, hierarchy::Bounds& all) const {
   const auto take = [&](std::size_t i, const hierarchy::Corners& corners) {
     to[i] = frame.bounds_of(corners);
     all.grow(frame.is_turned() ? corners.bounds() : to[i]);

@@ -1,7 +1,9 @@
 // Small scenes with known answers, built in memory.
 #pragma once
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 #include <random>
 #include <vector>
@@ -89,6 +91,18 @@ class SceneBuilder {
  private:
   Scene scene_;
 };
+
+/// Returns a place that is turned about the vertical at the origin, from x towards z.
+inline glm::vec3 turned(const glm::vec3& v, float angle_deg) {
+  const float c = std::cos(glm::radians(angle_deg)), s = std::sin(glm::radians(angle_deg));
+  return {c * v.x - s * v.z, v.y, s * v.x + c * v.z};
+}
+
+/// Returns the same scene, turned.
+inline SceneBuilder turned(SceneBuilder builder, float angle_deg) {
+  for (glm::vec3& p : builder.scene().meshes[0].primitives[0].positions) p = turned(p, angle_deg);
+  return builder;
+}
 
 /// Returns those of `lights` that have open sky above, so none inside or under a box.
 inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vector<Light> lights) {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "runtime/measure/metrics.h"
 #include "runtime/scene/brute_force.h"
 #include "support/estimators.h"
 #include "support/gpu.h"
@@ -51,6 +52,32 @@ void expect_depths_like_brute_force(const scene::RenderScene& scene, const scene
 TEST(Traversal, PrimaryDepthsOfATownMatchBruteForce) {
   const scene::RenderScene scene = random_town(60, 60, 7).with({});
   expect_depths_like_brute_force(scene, {{-70, 35, 80}, {0, 5, 0}, {0, 1, 0}, 50}, 96);
+}
+
+TEST(Traversal, PrimaryDepthsOfATownAtAnAngleMatchBruteForce) {
+  for (const float angle : {4.5f, 33.0f, 70.0f}) {
+    const scene::RenderScene scene = turned(random_town(60, 60, 7), angle).with({});
+    EXPECT_NE(scene.boxes_along, glm::vec2(1, 0));
+    expect_depths_like_brute_force(scene, {{-70, 35, 80}, {0, 5, 0}, {0, 1, 0}, 50}, 96);
+  }
+}
+
+// Lamps that shine alike in all directions: the picture of a town does not change when all of it is
+// turned, and the camera with it. Shadow rays go through boxes along the walls then.
+TEST(Traversal, ATownIsLitTheSameAtAnyAngle) {
+  const auto picture = [](float angle, bool boxes_are_turned) {
+    std::vector<Light> lamps = random_lamps(30, 60, 4);
+    for (Light& light : lamps) light.position = turned(light.position, angle);
+    scene::RenderScene scene = turned(random_town(60, 60, 7), angle).with(lamps);
+    if (!boxes_are_turned)
+      for (gpu::Instance& instance : scene.instances) instance.mask &= ~MASK_TURNED;
+    const scene::CameraPose pose{
+        turned({-70, 35, 80}, angle), turned({0, 5, 0}, angle), {0, 1, 0}, 50};
+    return render(scene, pose, with_estimator(render::Estimator::reference, 1), 48, 48, 1);
+  };
+  const measure::Image truth = picture(0, true);
+  EXPECT_LT(measure::compare(picture(33, true), truth).rmse8, 1);
+  EXPECT_GT(measure::compare(picture(33, false), truth).rmse8, 10) << "nodes that are misread";
 }
 
 TEST(Traversal, HoldsFarFromTheOrigin) {

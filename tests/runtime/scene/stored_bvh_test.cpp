@@ -36,10 +36,12 @@ struct Built {
 };
 
 // As nightbake makes it.
-Built build_stored(const TriangleList& triangles, std::size_t first) {
+Built build_stored(const TriangleList& triangles, std::size_t first,
+                   const hierarchy::BoxFrame& frame = {}) {
   const std::size_t count = triangles.size() - first;
   Built built;
-  auto pieces = make_pieces(triangles, first, count, true, 1);
+  hierarchy::Bounds box;
+  auto pieces = make_pieces(triangles, first, count, true, frame, 1, box);
   LargeVector<hierarchy::BareNode> nodes;
   const hierarchy::Root root =
       hierarchy::ParallelBuild<hierarchy::PieceAccess<2>, hierarchy::BareNodes>(
@@ -50,9 +52,10 @@ Built build_stored(const TriangleList& triangles, std::size_t first) {
     for (std::uint32_t i = 0; i < piece.count(); ++i) order.push_back(piece.first() + i);
   built.encoded = hierarchy::encode(nodes, root.node, order);
   built.stored.triangles = static_cast<std::uint32_t>(count);
+  built.stored.along = frame.along;
   for (int axis = 0; axis < 3; ++axis) {
-    built.stored.lower[axis] = root.box.lower[axis];
-    built.stored.upper[axis] = root.box.upper[axis];
+    built.stored.lower[axis] = box.lower[axis];
+    built.stored.upper[axis] = box.upper[axis];
   }
   for (const hierarchy::BareNode& node : nodes) built.stored.area_m2 += double(node.area);
   built.stored.topology = std::as_bytes(std::span(built.encoded.topology));
@@ -68,12 +71,14 @@ struct Loaded {
 };
 
 Loaded load_stored(const TriangleList& triangles, std::size_t first, const StoredHierarchy& stored,
-                   unsigned threads = 2, std::size_t nodes_before = 0) {
+                   unsigned threads = 2, std::size_t nodes_before = 0,
+                   const hierarchy::BoxFrame& frame = {}) {
   Loaded loaded;
   loaded.nodes.resize(nodes_before);
   loaded.order.resize(triangles.size() - first);
-  loaded.fault = append_stored_bvh(loaded.nodes, triangles, first, stored, hierarchy::static_leaf,
-                                   hierarchy::static_stack, threads, loaded.order, loaded.root);
+  loaded.fault =
+      append_stored_bvh(loaded.nodes, triangles, first, stored, hierarchy::static_leaf,
+                        hierarchy::static_stack, threads, loaded.order, loaded.root, frame);
   return loaded;
 }
 
@@ -120,6 +125,37 @@ TEST(StoredBvh, HasTheNodesThatTheBuilderMakes) {
       EXPECT_EQ(loaded.root.box.upper, made.root.box.upper);
       expect_same(loaded, loaded.root.node, made, made.root.node, first);
     }
+}
+
+TEST(StoredBvh, HasBoxesThatLieAlongItsFrame) {
+  const TriangleList triangles = mixed_triangles(30'000, 5);
+  const hierarchy::BoxFrame frame{{0.8f, 0.6f}};
+  const Built built = build_stored(triangles, 0, frame);
+  const Loaded loaded = load_stored(triangles, 0, built.stored, 2, 0, frame);
+  ASSERT_EQ(loaded.fault, "");
+  Loaded made;
+  made.order.resize(triangles.size());
+  made.root = append_bvh(made.nodes, triangles, 0, hierarchy::static_leaf, hierarchy::static_stack,
+                         2, made.order, frame);
+  EXPECT_EQ(loaded.root.box.lower, made.root.box.lower);
+  EXPECT_EQ(loaded.root.box.upper, made.root.box.upper);
+  expect_same(loaded, loaded.root.node, made, made.root.node, 0);
+  const Loaded other = load_stored(triangles, 0, built.stored, 2, 0, {{0.6f, 0.8f}});
+  EXPECT_NE(other.fault.find("another direction"), std::string::npos) << other.fault;
+}
+
+// nightbake knows no margin, and its area is that of boxes without.
+TEST(StoredBvh, HasTheMarginOfItsFrame) {
+  const TriangleList triangles = mixed_triangles(30'000, 6);
+  const Built built = build_stored(triangles, 0, {{0.8f, 0.6f}});
+  const Loaded without = load_stored(triangles, 0, built.stored, 2, 0, {{0.8f, 0.6f}}),
+               with = load_stored(triangles, 0, built.stored, 2, 0, {{0.8f, 0.6f}, 2.0f});
+  ASSERT_EQ(with.fault, "");
+  ASSERT_EQ(with.nodes.size(), without.nodes.size());
+  EXPECT_EQ(with.root.box.lower, without.root.box.lower) << "that of the triangles";
+  for (std::size_t i = 0; i < with.nodes.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      ASSERT_LT(with.nodes[i].origin[axis], without.nodes[i].origin[axis] - 1.9f) << i;
 }
 
 TEST(StoredBvh, HasTheSameBytesForAnyNumberOfThreads) {

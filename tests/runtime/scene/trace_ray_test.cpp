@@ -11,8 +11,7 @@
 namespace nightcity::test {
 namespace {
 
-TEST(TraceRay, MeetsWhatEveryTriangleTestedMeets) {
-  const scene::RenderScene scene = random_town(60, 80, 3).with(random_lamps(30, 60, 4));
+void expect_hits_like_brute_force(const scene::RenderScene& scene) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> in(-1, 1);
   int hits = 0;
@@ -32,6 +31,16 @@ TEST(TraceRay, MeetsWhatEveryTriangleTestedMeets) {
     EXPECT_LE(glm::dot(found->normal, direction), 0);
   }
   EXPECT_GT(hits, 1000);
+}
+
+TEST(TraceRay, MeetsWhatEveryTriangleTestedMeets) {
+  expect_hits_like_brute_force(random_town(60, 80, 3).with(random_lamps(30, 60, 4)));
+}
+
+TEST(TraceRay, MeetsTheSameInATownAtAnAngle) {
+  const scene::RenderScene scene = turned(random_town(60, 80, 3), 33).with(random_lamps(30, 60, 4));
+  EXPECT_NE(scene.boxes_along, glm::vec2(1, 0));
+  expect_hits_like_brute_force(scene);
 }
 
 TEST(TraceRay, TellsTheNormalOfAGroundAndOfAWall) {

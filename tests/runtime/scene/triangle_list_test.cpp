@@ -125,9 +125,12 @@ TEST(TriangleList, FindsTrianglesInBlocksOfBothKinds) {
   std::iota(numbers.begin(), numbers.end(), 0u);
   std::shuffle(numbers.begin(), numbers.end(), std::mt19937(1));
   std::vector<gpu::Triangle> gathered(numbers.size());
-  std::vector<hierarchy::Bounds> measured(numbers.size());
+  std::vector<hierarchy::Bounds> measured(numbers.size()), turned(numbers.size());
+  hierarchy::Bounds all, all_turned;
   list.gather(numbers, gathered);
-  list.measure(numbers, measured);
+  list.measure(numbers, {}, measured, all);
+  const hierarchy::BoxFrame quarter{{0, 1}};  // its x is z, and its z is -x
+  list.measure(numbers, quarter, turned, all_turned);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const gpu::Triangle& triangle = expected[numbers[i]];
     ASSERT_TRUE(same(gathered[i], triangle)) << i;
@@ -136,7 +139,14 @@ TEST(TriangleList, FindsTrianglesInBlocksOfBothKinds) {
                 std::min({triangle.v0[axis], triangle.v1[axis], triangle.v2[axis]}));
       ASSERT_EQ(measured[i].upper[axis],
                 std::max({triangle.v0[axis], triangle.v1[axis], triangle.v2[axis]}));
+      ASSERT_LE(all.lower[axis], measured[i].lower[axis]);
+      ASSERT_GE(all.upper[axis], measured[i].upper[axis]);
+      ASSERT_EQ(all.lower[axis], all_turned.lower[axis]);
+      ASSERT_EQ(all.upper[axis], all_turned.upper[axis]);
     }
+    ASSERT_EQ(turned[i].lower[0], measured[i].lower[2]);
+    ASSERT_EQ(turned[i].upper[1], measured[i].upper[1]);
+    ASSERT_EQ(turned[i].lower[2], -measured[i].upper[0]);
   }
   EXPECT_TRUE(list.any_material([](std::uint32_t material) { return material == 58; }));
   EXPECT_FALSE(list.any_material([&](std::uint32_t material) { return material == count; }));
