@@ -38,9 +38,11 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
     throw Error(inventory.file.string(),
                 "names no CRS: say it by crs in [[lamps.inventories]] (\"EPSG:4326\" for longitude "
                 "and latitude)");
+  using Writer = georeference::SourceCrs::Writer;
+  const Writer writer = inventory.crs.empty() ? Writer::stranger : Writer::user;
   std::string why;
   for (const std::string& definition : definitions)
-    if ((crs_ = georeference::SourceCrs::create(definition, why))) break;
+    if ((crs_ = georeference::SourceCrs::create(definition, why, writer))) break;
   if (!crs_)
     throw Error(inventory.file.string(),
                 "has an unknown CRS (" + why + "): say it by crs in [[lamps.inventories]]");
