@@ -202,6 +202,7 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
         << line;
   EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
   EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
+  EXPECT_THROW(read(folder, "[city]\nfiles = [\"a\\u0000b.gml\"]\n"), UsageError);
   for (const char* line : {"off = '23:00-05:00'", "off = {residential = '05:00-23:00'}",
                            "off = {raceway = '23:00-05:00'}", "half_night = {residential = 23}",
                            "luminaires = 's.ldt'", "luminaires = [{roads = ['primary']}]",
