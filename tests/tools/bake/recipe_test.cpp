@@ -202,7 +202,6 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
         << line;
   EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
   EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
-  EXPECT_THROW(read(folder, "[city]\nfiles = [\"a\\u0000b.gml\"]\n"), UsageError);
   for (const char* line : {"off = '23:00-05:00'", "off = {residential = '05:00-23:00'}",
                            "off = {raceway = '23:00-05:00'}", "half_night = {residential = 23}",
                            "luminaires = 's.ldt'", "luminaires = [{roads = ['primary']}]",
@@ -239,6 +238,21 @@ TEST(Recipe, RecipesOfRealCitiesTakeTheirDataFromTheDataFolderAndAreListed) {
         << entry.path();
   }
   EXPECT_EQ(recipes, 6u);
+}
+
+TEST(Recipe, ATextWithAZeroByteIsRefusedByItsLine) {
+  const TempFolder folder;
+  for (const char* line : {"files = [\"a.gml\", \"b\\u0000c.gml\"]", "files = \"\\u0000\"",
+                           "files = 'a.gml'\nlicence = \"\\u0000\""}) {
+    try {
+      read(folder, std::string("[city]\n") + line);
+      ADD_FAILURE() << line;
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("zero byte"), std::string::npos) << message;
+      EXPECT_NE(message.find("recipe.toml:"), std::string::npos) << message;
+    }
+  }
 }
 
 TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
