@@ -68,7 +68,7 @@ bool set_path(PathSlot& slot, const std::filesystem::path& path) {
   return true;
 }
 
-// What getdents64(2) fills in; readdir(3) takes memory, which a handler may not.
+// getdents64(2) fills this in; readdir(3) takes memory, which a handler may not.
 struct FolderEntry {
   std::uint64_t inode;
   std::int64_t offset;

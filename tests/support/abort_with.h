@@ -1,4 +1,4 @@
-// How a fuzz target says what it has found.
+// Says what a fuzz target has found.
 #pragma once
 
 #include <cstdio>

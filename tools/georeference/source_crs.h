@@ -12,7 +12,7 @@ namespace nightcity::georeference {
 /// The horizontal part of a CRS. For one thread at a time, as PROJ objects are.
 class SourceCrs {
  public:
-  /// Who wrote a definition: it may name files (+nadgrids, +init) where the user did.
+  /// A user may name files in a definition (+nadgrids, +init), a stranger may not.
   enum class Writer : std::uint8_t { stranger, user };
   /// Returns null when PROJ does not know `definition`, it is neither projected nor geographic or
   /// names a file that it may not; then `why` says what is wrong.

@@ -1,5 +1,5 @@
-// What holds for every table of lamps, broken or not: for the fuzz target and the test of its
-// corpus.
+// Checks that hold for every table of lamps, broken or not: for the
+// fuzz target and the test of its corpus.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// What holds for every text of a tag, whatever people write: for the fuzz target and the test of
-// its corpus.
+// Checks that hold for every text of a tag, whatever people write: for the
+// fuzz target and the test of its corpus.
 #pragma once
 
 #include <algorithm>
