@@ -104,8 +104,8 @@ constexpr std::size_t buffer_size = std::size_t{1} << 16;
 // A whole page, because some processors copy slowly to and from addresses just beside one.
 constexpr std::align_val_t buffer_alignment{4096};
 
-void put(const fs::path& path, std::FILE* file, const void* bytes, std::size_t size) {
-  if (size != 0 && std::fwrite(bytes, 1, size, file) != size) fail(path, "cannot be written");
+bool put(std::FILE* file, const void* bytes, std::size_t size) {
+  return size == 0 || std::fwrite(bytes, 1, size, file) == size;
 }
 
 // Reads what is left of `source`, block by block.
@@ -132,8 +132,9 @@ void write_into_stream(std::FILE* source, const fs::path& path) {
     fail(path, "cannot be written");
   }
   std::rewind(source);
-  read_blocks(source, path,
-              [&](const char* bytes, std::size_t size) { put(path, stream.get(), bytes, size); });
+  read_blocks(source, path, [&](const char* bytes, std::size_t size) {
+    if (!put(stream.get(), bytes, size)) fail(path, "cannot be written");
+  });
   if (std::fflush(stream.get()) != 0) fail(path, "cannot be written");
 }
 
@@ -198,21 +199,26 @@ AtomicFile::~AtomicFile() {
   if (!scratch_.empty()) ::unlink(scratch_.c_str());
 }
 
+void AtomicFile::fail_write() {
+  if (failure_ == 0) failure_ = errno;
+  errno = failure_;
+  fail(path_, "cannot be written");
+}
+
 void AtomicFile::write(const void* bytes, std::size_t size) {
-  put(path_, file_.get(), bytes, size);
+  if (!put(file_.get(), bytes, size)) fail_write();
   size_ += size;
 }
 
 void AtomicFile::write_at(std::uint64_t offset, const void* bytes, std::size_t size) {
   if (offset + size > size_) throw Error(path_.string(), "write_at beyond the end");
-  if (::fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) != 0)
-    fail(path_, "cannot be written");
-  put(path_, file_.get(), bytes, size);
-  if (::fseeko(file_.get(), 0, SEEK_END) != 0) fail(path_, "cannot be written");
+  if (::fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) != 0 ||
+      !put(file_.get(), bytes, size) || ::fseeko(file_.get(), 0, SEEK_END) != 0)
+    fail_write();
 }
 
 void AtomicFile::commit() {
-  if (std::fflush(file_.get()) != 0) fail(path_, "cannot be written");
+  if (failure_ != 0 || std::fflush(file_.get()) != 0) fail_write();
   if (is_stream_) {
     write_into_stream(file_.get(), path_);
     file_.reset();
@@ -273,7 +279,7 @@ ScratchFile::ScratchFile(const fs::path& path) : path_(path) {
 }
 
 void ScratchFile::write(const void* bytes, std::size_t size) {
-  put(path_, file_.get(), bytes, size);
+  if (!put(file_.get(), bytes, size)) fail(path_, "cannot be written");
   unflushed_ = true;
   size_ += size;
 }

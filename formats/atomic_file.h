@@ -61,9 +61,12 @@ class AtomicFile {
   /// end.
   void write_at(std::uint64_t offset, const void* bytes, std::size_t size);
   std::uint64_t size() const { return size_; }
+  /// Throws again where an earlier write has failed: a library in between may have swallowed that.
   void commit();
 
  private:
+  [[noreturn]] void fail_write();
+
   std::filesystem::path path_;     // as the caller named it, for messages
   std::filesystem::path target_;   // where links lead to
   std::filesystem::path scratch_;  // empty: the file has no name yet
@@ -71,6 +74,7 @@ class AtomicFile {
   bool is_stream_ = false;  // the target is a device or FIFO
   BufferedStream file_;
   std::uint64_t size_ = 0;
+  int failure_ = 0;  // errno of the first write that failed
 };
 
 /// The same for a library that opens its output by name: an empty file ".NAME.XXXXXX.part" of our

@@ -2,7 +2,9 @@
 // alone (signal-safety(7)) and read tables of atomics that never move.
 #include "formats/signals.h"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -66,9 +68,49 @@ bool set_path(PathSlot& slot, const std::filesystem::path& path) {
   return true;
 }
 
+// getdents64(2) fills this in; readdir(3) takes memory, which a handler may not.
+struct FolderEntry {
+  std::uint64_t inode;
+  std::int64_t offset;
+  std::uint16_t size;
+  unsigned char type;
+  char name[1];
+};
+
+// Removes `path`, which is relative to the folder `parent`, and what is in it, `levels` of folders
+// deep: deeper than any that we make, and no deeper than the handler's stack.
+void remove_tree(int parent, const char* path, int levels) {
+  const int folder =
+      ::openat(parent, path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
+  if (folder < 0) return;
+  // From the start again as long as something goes: what is removed moves the others' places.
+  for (bool removed = levels > 0; removed;) {
+    removed = false;
+    ::lseek(folder, 0, SEEK_SET);
+    alignas(FolderEntry) std::array<char, 2048> entries;
+    long size = 0;
+    while ((size = ::syscall(SYS_getdents64, folder, entries.data(), entries.size())) > 0)
+      for (long at = 0; at < size;) {
+        const auto* entry = reinterpret_cast<const FolderEntry*>(entries.data() + at);
+        at += entry->size;
+        if (std::strcmp(entry->name, ".") == 0 || std::strcmp(entry->name, "..") == 0) continue;
+        if (::unlinkat(folder, entry->name, 0) == 0)
+          removed = true;
+        else
+          remove_tree(folder, entry->name, levels - 1);
+      }
+  }
+  ::close(folder);
+  ::unlinkat(parent, path, AT_REMOVEDIR);
+}
+
 void remove_leftovers() {
-  for (const LeftoverSlot& slot : leftovers)
+  constexpr int max_levels = 4;
+  for (const LeftoverSlot& slot : leftovers) {
     if (slot.used && slot.kind == Leftover::Kind::file) ::unlink(slot.path.data());
+    if (slot.used && slot.kind == Leftover::Kind::tree)
+      remove_tree(AT_FDCWD, slot.path.data(), max_levels);
+  }
   // Folders in folders, in any order: again as long as one more is empty.
   for (bool removed = true; removed;) {
     removed = false;

@@ -16,10 +16,11 @@ namespace nightcity {
 void install_signal_handlers(const char* program);
 
 /// A file or folder that a signal must not leave behind, registered as long as the object lives.
-/// Folders are removed where they are empty, after all files, the last registered first.
+/// Folders are removed where they are empty, after all files, the last registered first; trees with
+/// all that is in them, without following links.
 class Leftover {
  public:
-  enum class Kind { file, folder };
+  enum class Kind { file, folder, tree };
   Leftover() = default;
   Leftover(const std::filesystem::path& path, Kind kind);
   ~Leftover();

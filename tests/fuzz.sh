@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Runs every fuzzer for a while, then tests with sanitizers: tests/fuzz.sh [ci | SECONDS [FUZZER...]]
-# SECONDS: for each fuzzer (60), as many at once as there are cores. FUZZER: archive, areas, citygml, cityjson, glb, lights,
-# obj, obj_pictures, osm, picture, recipe or triangulation (all, and then all tests). ci: a minute of each fuzzer, then the
-# tests of the readers, which are linked with what the fuzzers have built. That build takes some twenty minutes on two cores
-# with an empty ccache. Needs clang. What a fuzzer finds lies in build/fuzz/found, and the script ends with 1; inputs that reach
-# new code are kept in build/fuzz/corpus from run to run. FUZZ_NICE=19 leaves the machine to others.
+# SECONDS: for each fuzzer (60), as many at once as there are cores. FUZZER: archive, areas, citygml, cityjson, glb, inventory,
+# lights, luminaire, obj, obj_pictures, osm, picture, recipe, tags or triangulation (all, and then all tests). ci: a minute of
+# each fuzzer, then the tests of the readers, which are linked with what the fuzzers have built. That build takes some twenty
+# minutes on two cores with an empty ccache. Needs clang. What a fuzzer finds lies in build/fuzz/found, and the script ends
+# with 1; inputs that reach new code are kept in build/fuzz/corpus from run to run. FUZZ_NICE=19 leaves the machine to others.
 set -euo pipefail
 # shellcheck source=pipelines/steps.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../pipelines/steps.sh"
@@ -24,12 +24,15 @@ declare -A seeds=(
   [citygml]=tests/tools/citygml/corpus
   [cityjson]=tests/tools/cityjson/corpus
   [glb]=tests/formats/corpus/glb
+  [inventory]=tests/tools/inventory/corpus
   [lights]=tests/formats/corpus/lights
+  [luminaire]=tests/tools/lights/corpus
   [obj]=tests/tools/obj/corpus
   [obj_pictures]=tests/tools/obj/corpus_pictures
   [osm]=tests/tools/osm/corpus
   [picture]=tests/formats/corpus/picture
   [recipe]=tests/tools/bake/corpus
+  [tags]=tests/tools/lights/corpus_tags
   [triangulation]=tests/tools/streets/corpus
 )
 # The libraries that the fuzzers have built already.

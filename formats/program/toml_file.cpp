@@ -6,6 +6,24 @@
 #include "formats/small_file.h"
 
 namespace nightcity::program {
+namespace {
+
+// Returns the first text that holds a zero byte; null without.
+const toml::node* find_zero_byte(const toml::node& node) {
+  const toml::node* found = nullptr;
+  const auto look_at = [&found](const toml::node& inner) {
+    if (!found) found = find_zero_byte(inner);
+  };
+  if (const auto* text = node.as_string())
+    return text->get().find('\0') == std::string::npos ? nullptr : &node;
+  if (const toml::array* array = node.as_array())
+    for (const toml::node& element : *array) look_at(element);
+  if (const toml::table* table = node.as_table())
+    for (const auto& [key, value] : *table) look_at(value);
+  return found;
+}
+
+}  // namespace
 
 toml::table read_toml(const std::filesystem::path& path) {
   const std::string text = read_small_file(path);
@@ -14,7 +32,11 @@ toml::table read_toml(const std::filesystem::path& path) {
     throw Error(path.string(), *line,
                 "a key has more than " + std::to_string(max_key_parts) + " parts");
   try {
-    return toml::parse(text, path.string());
+    toml::table document = toml::parse(text, path.string());
+    // The name of a file would end there for the system, and a message for the reader.
+    if (const toml::node* node = find_zero_byte(document))
+      throw Error(path.string(), node->source().begin.line, "a text holds a zero byte");
+    return document;
   } catch (const toml::parse_error& error) {
     throw Error(path.string(), error.source().begin.line,
                 "is not TOML: " + std::string(error.description()));

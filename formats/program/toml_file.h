@@ -9,8 +9,8 @@
 
 namespace nightcity::program {
 
-/// Returns the document. Throws Error with file and line where the text is not TOML, or its keys
-/// are so deep that they would exhaust the stack.
+/// Returns the document. Throws Error with file and line where the text is not TOML, holds a zero
+/// byte, or has keys so deep that they would exhaust the stack.
 toml::table read_toml(const std::filesystem::path& path);
 
 /// Throws UsageError with file and line: "unknown WHAT", with the nearest of `known` where one is

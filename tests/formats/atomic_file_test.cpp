@@ -12,6 +12,7 @@
 
 #include "formats/error.h"
 #include "formats/mapped_file.h"
+#include "support/file_limit.h"
 #include "support/temp_folder.h"
 
 namespace nightcity {
@@ -110,6 +111,18 @@ TEST(AtomicFile, AFullDeviceIsAnErrorAndStaysADevice) {
   EXPECT_NE(message.find("/dev/full"), std::string::npos) << message;
   EXPECT_NE(message.find("No space left"), std::string::npos) << message;
   EXPECT_EQ(fs::status("/dev/full").type(), fs::file_type::character);
+}
+
+TEST(AtomicFile, AWriteThatFailedIsNotForgotten) {
+  const TempFolder folder;
+  AtomicFile file(folder / "a");
+  file.write(std::string(1000, 'x'));
+  {
+    const test::FileLimit limit(100);
+    EXPECT_THROW(file.write_at(0, "y", 1), Error);
+  }
+  EXPECT_NE(message_of([&] { file.commit(); }).find("File too large"), std::string::npos);
+  EXPECT_EQ(folder.entries(), 0u);
 }
 
 TEST(AtomicFile, AFifoGetsTheBytesAndStays) {

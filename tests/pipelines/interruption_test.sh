@@ -131,24 +131,39 @@ done <<'END'
 END
 check "no file of them is left: $(compgen -G '*full.*')" same "$(compgen -G '*full.*')" ""
 
-# A tileset and a part that a signal ends: no empty folder is left, and the next one is whole.
-"$nightbake" -q export whole -o tiles >/dev/null || exit 1
-for arguments in "export whole -o made/tiles" "run town/town.toml --part 1/2 --out made/parts"; do
-  for moment in 0.02 0.05 0.1; do
-    # shellcheck disable=SC2086
-    env --default-signal "$nightbake" -q $arguments >out 2>err &
-    child=$!
-    sleep "$moment"
-    kill -s TERM "$child" 2>/dev/null
-    wait "$child"
-    check "after TERM at $moment s no empty folder is left: $(find made -type d -empty 2>/dev/null)" \
-      same "$(find made -type d -empty 2>/dev/null)" ""
+# A tileset and a part that a signal or a kill ends: nothing is left, or all where it came too late, and of a part its survey,
+# which other parts take. The next one is whole.
+"$nightbake" -q export whole --tile 10 -o tiles >/dev/null || exit 1
+# is_whole FOLDER: with nothing beside it. Parts hold how long they took, so two of them differ.
+is_whole() {
+  if [[ -e $1/tileset.json ]]; then
+    diff -r tiles "$1"
+  else
+    lists "$1" "parts " && lists "$1/parts" "part-1-of-1 survey " && rm -rf merged &&
+      "$nightbake" -q merge "$1/parts" --out merged >/dev/null && cmp whole/city.glb merged/city.glb
+  fi
+}
+for arguments in "export whole --tile 10" "run town/town.toml --part 1/1"; do
+  for moment in 0.02 0.05 0.1 0.15 0.2; do
+    for signal in TERM KILL; do
+      # shellcheck disable=SC2086
+      env --default-signal "$nightbake" -q $arguments --out made/of/it >out 2>err &
+      child=$!
+      sleep "$moment"
+      kill -s "$signal" "$child" 2>/dev/null
+      wait "$child" 2>/dev/null
+      what="after $signal at $moment s of $arguments"
+      if [[ $signal == TERM ]]; then
+        check "$what no empty folder is left" same "$(find made -type d -empty 2>/dev/null)" ""
+        [[ ! -e made || -e made/of/it/parts ]] || check "$what there is nothing or all" is_whole made/of/it
+      fi
+      # shellcheck disable=SC2086
+      [[ -e made/of/it/tileset.json ]] || "$nightbake" -q $arguments --out made/of/it >/dev/null 2>err
+      check "$what the next one is whole: $(cat err)" is_whole made/of/it
+      rm -rf made
+    done
   done
-  # shellcheck disable=SC2086
-  "$nightbake" -q $arguments >/dev/null 2>err || [[ -e made/tiles/tileset.json ]] || check "the next one works: $(cat err)" false
 done
-check "the tileset is whole" diff -r tiles made/tiles
-rm -rf made
 
 # Outputs that are no files, or lead to one.
 "$nightbake" -q layout town/town.toml --osm /dev/null >/dev/null 2>err
@@ -188,5 +203,27 @@ if [[ -n $nightview ]]; then
   timeout 20 "$nightview" render fifo.gml --output a.png >out 2>err
   code=$?
   check "nightview refuses a FIFO at once: $(cat err)" same $code 1
+
+  # A full disk: files of 1 or 4 kB at most. Pictures that went before stay, each of them whole.
+  export LP_NUM_THREADS=0
+  while read -r limit arguments; do
+    # shellcheck disable=SC2086
+    (ulimit -f "$limit" && "$nightview" -q $arguments >out 2>err)
+    check "nightview $arguments to a full disk ends with 1" same $? 1
+    check "and says why: $(cat err)" has err "cannot be written: "
+    for picture in $(find full -name '*.exr' -o -name '*.png' 2>/dev/null); do
+      "$nightview" compare "$picture" "$picture" >out 2>err
+      check "and $picture is whole: $(cat err)" same $? 0
+    done
+    rm -rf full
+  done <<'END'
+1 render whole --size 32x18 --frames 1 -o full/a.png
+4 render whole --size 32x18 --frames 1 -o full/a.exr
+4 record whole --size 32x18 --path orbit --duration 0.08 --frames 1 --exr --out full
+1 flight whole --size 32x18 --frames 2 --reference-frames 1 --pictures --out full
+4 sweep whole --size 32x18 --frames 1 --estimator ris --candidates 1 --reference-frames 1 --warm-up 0 --views top --out full
+4 upward whole --rays 4 --out full
+1 strategies --lights 10 --size 32x18 --frames 1 --reference-frames 1 --out full
+END
 fi
 exit "$failures"

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -67,8 +68,16 @@ void move_out(const fs::path& staging, const fs::path& folder, const std::vector
     done.emplace_back(from, to);
   };
   const fs::path old = staging / old_files;
+  std::vector<fs::path> made;
   std::error_code ignored;
-  fs::create_directory(old, ignored);  // its absence shows in the first move
+  // The absence of a folder shows in the first move into it.
+  fs::create_directory(old, ignored);
+  for (const fs::path& name : names) {
+    if (!name.has_parent_path()) continue;
+    fs::create_directory(old / name.parent_path(), ignored);
+    if (fs::create_directory(folder / name.parent_path(), ignored))
+      made.push_back(folder / name.parent_path());
+  }
   try {
     for (const fs::path& name : names)
       if (is_there(staging / name) && is_there(folder / name)) move_on(folder / name, old / name);
@@ -78,17 +87,26 @@ void move_out(const fs::path& staging, const fs::path& folder, const std::vector
   } catch (const Error&) {
     std::for_each(done.rbegin(), done.rend(),
                   [&](const auto& pair) { fs::rename(pair.second, pair.first, ignored); });
+    for (const fs::path& level : made) ::rmdir(level.c_str());
     throw;
   }
+  for (const fs::path& level : made) sync_folder(level);
   sync_folder(folder);
+}
+
+// A file's name, or that of one in a folder: what a journal of ours may hold.
+bool stays_below(const fs::path& name) {
+  return name.has_filename() && name.is_relative() &&
+         std::distance(name.begin(), name.end()) <= 2 &&
+         std::none_of(name.begin(), name.end(),
+                      [](const fs::path& part) { return part == "." || part == ".."; });
 }
 
 std::vector<fs::path> read_journal(const fs::path& staging) {
   std::vector<fs::path> names;
   std::ifstream journal(staging / journal_name);
   for (std::string line; std::getline(journal, line);)
-    if (!line.empty() && line.find('/') == std::string::npos && line != "." && line != "..")
-      names.emplace_back(line);
+    if (stays_below(line)) names.emplace_back(line);
   return names;
 }
 
@@ -186,7 +204,7 @@ void OutputFolder::make_staging() {
   if (!::mkdtemp(name.data()))
     throw Error(folder_.string(), std::string("cannot be written into: ") + std::strerror(errno));
   staging_ = name;
-  leftovers_.emplace_back(staging_, Leftover::Kind::folder);
+  leftovers_.emplace_back(staging_, Leftover::Kind::tree);
   Descriptor staging(staging_);
   if (staging.lock()) lock_ = staging.release();
 }
@@ -204,9 +222,10 @@ OutputFolder::~OutputFolder() {
   remove_made();
 }
 
-fs::path OutputFolder::staged(const char* name) {
-  names_.emplace_back(name);
-  leftovers_.emplace_back(staging_ / name, Leftover::Kind::file);
+fs::path OutputFolder::staged(const fs::path& name) {
+  std::error_code ignored;  // its absence shows where the file is opened
+  if (name.has_parent_path()) fs::create_directory(staging_ / name.parent_path(), ignored);
+  names_.push_back(name);
   return staging_ / name;
 }
 

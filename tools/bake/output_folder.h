@@ -29,8 +29,9 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Returns where to write the file that will be called `name`.
-  std::filesystem::path staged(const char* name);
+  /// Returns where to write the file that will be called `name`, which may lie in a folder of its
+  /// own ("tiles/1.glb").
+  std::filesystem::path staged(const std::filesystem::path& name);
   void commit();
 
  private:

@@ -13,6 +13,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "tools/bake/output_folder.h"
 #include "tools/exports/place_on_earth.h"
 #include "tools/exports/tile_content.h"
 
@@ -54,30 +55,25 @@ class TilesetWriter {
         folder_(folder),
         options_(options),
         earth_(scene.georeference.crs, scene.georeference.origin, options.geoid_m) {}
-  // A full disk is not left full of tiles that no tileset.json names.
-  ~TilesetWriter() {
-    if (is_complete_) return;
-    std::error_code ignored;
-    for (const std::filesystem::path& tile : written_) std::filesystem::remove(tile, ignored);
-  }
-  TilesetWriter(const TilesetWriter&) = delete;
-  TilesetWriter& operator=(const TilesetWriter&) = delete;
-
   TilesetReport write() {
     sort_nodes();
     sort_lamps();
     if (cells_.empty()) throw Error(folder_.string(), "the scene has nothing to show");
-    make_folder();
-    for (const auto& [cell, parts] : cells_) leaves_[cell] = write_leaf(cell, parts);
+    if (std::error_code error; std::filesystem::exists(folder_ / "tileset.json", error))
+      throw UsageError((folder_ / "tileset.json").string(), "is there already");
+    bake::OutputFolder output(folder_);
+    // The first, which appears last: it names the others.
+    const std::filesystem::path tileset_path = output.staged("tileset.json");
+    for (const auto& [cell, parts] : cells_) leaves_[cell] = write_leaf(cell, parts, output);
     json root = make_tree();
     const double error = 2 * root["geometricError"].get<double>();
     json tileset = {{"asset", {{"version", "1.1"}, {"generator", "nightcity"}}},
                     {"geometricError", error},
                     {"root", std::move(root)}};
-    AtomicFile file(folder_ / "tileset.json");
+    AtomicFile file(tileset_path);
     file.write(tileset.dump(1));
     file.commit();
-    is_complete_ = true;
+    output.commit();
     return report_;
   }
 
@@ -131,21 +127,12 @@ class TilesetWriter {
     }
   }
 
-  void make_folder() const {
-    std::error_code error;
-    if (std::filesystem::exists(folder_ / "tileset.json", error))
-      throw UsageError((folder_ / "tileset.json").string(), "is there already");
-    std::filesystem::create_directories(folder_ / "tiles", error);
-    if (error) throw Error(folder_.string(), "cannot be made: " + error.message());
-  }
-
-  Leaf write_leaf(const Cell& cell, const TileParts& parts) {
+  Leaf write_leaf(const Cell& cell, const TileParts& parts, bake::OutputFolder& output) {
     const glm::dvec3 origin((cell.first + 0.5) * options_.cell_m, std::floor(parts.box.least.y),
                             (cell.second + 0.5) * options_.cell_m);
     const std::string name =
         "tiles/" + std::to_string(cell.first) + "_" + std::to_string(cell.second) + ".glb";
-    write_tile(scene_, lights_, parts, origin, folder_ / name, options_, report_);
-    written_.push_back(folder_ / name);
+    write_tile(scene_, lights_, parts, origin, output.staged(name), options_, report_);
     Leaf leaf;
     leaf.region = find_region(parts.box);
     const glm::dvec3 place = scene_.georeference.from_model(origin);
@@ -227,8 +214,6 @@ class TilesetWriter {
   PlaceOnEarth earth_;
   std::map<Cell, TileParts> cells_;
   std::map<Cell, Leaf> leaves_;
-  std::vector<std::filesystem::path> written_;
-  bool is_complete_ = false;
   TilesetReport report_;
 };
 

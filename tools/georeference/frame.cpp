@@ -166,7 +166,8 @@ CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const 
   std::string why;
   bool known = false;
   for (const std::string& definition : definitions) {
-    std::unique_ptr<SourceCrs> crs = SourceCrs::create(definition, why);
+    std::unique_ptr<SourceCrs> crs = SourceCrs::create(
+        definition, why, overridden ? SourceCrs::Writer::user : SourceCrs::Writer::stranger);
     if (!crs) continue;
     known = true;
     AxisChoice choice = choose_axis_order(std::move(crs), sample, find_axis_promise(name));

@@ -8,6 +8,7 @@
 #include "formats/error.h"
 #include "tools/georeference/local_mercator.h"
 #include "tools/georeference/proj_axes.h"
+#include "tools/georeference/proj_files.h"
 #include "tools/georeference/proj_operation.h"
 
 namespace nightcity::georeference {
@@ -18,6 +19,7 @@ const glm::dvec2 no_answer{std::numeric_limits<double>::quiet_NaN()};
 }  // namespace
 
 struct SourceCrs::State {
+  std::string refused_file;  // before the context, which writes it
   PjContextPtr context{proj_context_create()};
   PjPtr crs;    // horizontal part
   PjPtr bound;  // crs with the shift to WGS 84 that its definition states; null: it states none
@@ -30,6 +32,10 @@ struct SourceCrs::State {
   std::string name, identity, area_name;
   double west = -1000, south = -1000, east = -1000, north = -1000;  // -1000: not stated
 
+  std::string explain_refusal() const {
+    return "it names the file \"" + refused_file +
+           "\", which only a recipe may do, by its keys named crs";
+  }
   void read_vertical(const PJ* compound);
   bool read_axes(std::string& why);
   void read_identity(const std::string& definition);
@@ -105,7 +111,8 @@ void SourceCrs::State::read_area() {
 SourceCrs::SourceCrs() : state_(std::make_unique<State>()) {}
 SourceCrs::~SourceCrs() = default;
 
-std::unique_ptr<SourceCrs> SourceCrs::create(const std::string& definition, std::string& why) {
+std::unique_ptr<SourceCrs> SourceCrs::create(const std::string& definition, std::string& why,
+                                             Writer writer) {
   constexpr std::size_t max_definition_bytes = 65536;  // no honest CRS has a longer WKT
   if (definition.size() > max_definition_bytes) {
     why = "too long";
@@ -115,7 +122,12 @@ std::unique_ptr<SourceCrs> SourceCrs::create(const std::string& definition, std:
   State& s = *out->state_;
   PJ_CONTEXT* context = s.context.get();
   proj_log_level(context, PJ_LOG_NONE);  // we report failures ourselves, with the file
+  if (writer == Writer::stranger) keep_to_own_files(context, s.refused_file);
   s.crs.reset(proj_create(context, definition.c_str()));
+  if (!s.refused_file.empty()) {
+    why = s.explain_refusal();
+    return nullptr;
+  }
   if (!s.crs || !proj_is_crs(s.crs.get())) {
     why = "PROJ does not know it";
     return nullptr;
@@ -263,6 +275,7 @@ std::string SourceCrs::select_operation(const glm::dvec2* lon_lat) {
   const bool is_registered = proj_get_id_code(s.crs.get(), 0) != nullptr;
   const PJ* const target = s.bound && !is_registered ? s.bound.get() : s.crs.get();
   s.operation = find_operation_from_wgs84(s.context.get(), target, lon_lat);
+  if (!s.refused_file.empty()) throw Error("", "CRS " + s.name + ": " + s.explain_refusal());
   if (!s.operation) throw Error("", "PROJ has no operation from WGS 84 to " + s.name);
   return describe_operation(s.context.get(), s.operation.get());
 }

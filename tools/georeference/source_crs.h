@@ -1,6 +1,7 @@
 // One CRS known to PROJ: its axes, its area of use, and conversion from and to WGS 84.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -11,9 +12,12 @@ namespace nightcity::georeference {
 /// The horizontal part of a CRS. For one thread at a time, as PROJ objects are.
 class SourceCrs {
  public:
-  /// Returns null when PROJ does not know `definition` or it is neither projected nor geographic;
-  /// then `why` says what is wrong.
-  static std::unique_ptr<SourceCrs> create(const std::string& definition, std::string& why);
+  /// A user may name files in a definition (+nadgrids, +init), a stranger may not.
+  enum class Writer : std::uint8_t { stranger, user };
+  /// Returns null when PROJ does not know `definition`, it is neither projected nor geographic or
+  /// names a file that it may not; then `why` says what is wrong.
+  static std::unique_ptr<SourceCrs> create(const std::string& definition, std::string& why,
+                                           Writer writer = Writer::stranger);
   ~SourceCrs();
 
   bool geographic() const;
@@ -63,8 +67,8 @@ class SourceCrs {
   bool area_contains(const glm::dvec2& lon_lat, double margin_deg) const;
 
   /// Chooses the operation from WGS 84 for a place (degrees; null: for the whole area of use).
-  /// Returns PROJ's name for it with the stated accuracy. Throws Error when there is none. Must be
-  /// called before from_wgs84 and to_wgs84.
+  /// Returns PROJ's name for it with the stated accuracy. Throws Error when there is none, or when
+  /// the definition names a file that it may not. Must be called before from_wgs84 and to_wgs84.
   std::string select_operation(const glm::dvec2* lon_lat);
 
  private:

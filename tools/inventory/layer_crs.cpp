@@ -38,15 +38,24 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
     throw Error(inventory.file.string(),
                 "names no CRS: say it by crs in [[lamps.inventories]] (\"EPSG:4326\" for longitude "
                 "and latitude)");
+  using Writer = georeference::SourceCrs::Writer;
+  const Writer writer = inventory.crs.empty() ? Writer::stranger : Writer::user;
   std::string why;
   for (const std::string& definition : definitions)
-    if ((crs_ = georeference::SourceCrs::create(definition, why))) break;
+    if ((crs_ = georeference::SourceCrs::create(definition, why, writer))) break;
   if (!crs_)
     throw Error(inventory.file.string(),
                 "has an unknown CRS (" + why + "): say it by crs in [[lamps.inventories]]");
+  const auto select_operation = [&](const glm::dvec2* lon_lat) {
+    try {
+      crs_->select_operation(lon_lat);
+    } catch (const Error& error) {
+      throw Error(inventory.file.string(), error.what());
+    }
+  };
   OGREnvelope box;
   if (layer.GetExtent(&box, TRUE) != OGRERR_NONE) {
-    crs_->select_operation(nullptr);
+    select_operation(nullptr);
     return;
   }
   const glm::dvec2 middle((box.MinX + box.MaxX) / 2, (box.MinY + box.MaxY) / 2);
@@ -58,7 +67,7 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
       !lies_in_area({true, -1}))
     order_ = {};
   const glm::dvec2 lon_lat = crs_->to_own_lon_lat(to_east_north(middle));
-  crs_->select_operation(std::isfinite(lon_lat.x + lon_lat.y) ? &lon_lat : nullptr);
+  select_operation(std::isfinite(lon_lat.x + lon_lat.y) ? &lon_lat : nullptr);
 }
 
 glm::dvec2 LayerCrs::to_east_north(const glm::dvec2& place) const {

@@ -54,7 +54,6 @@ void export_tileset(const ExportArguments& arguments) {
     if (!a.empty() && !b.empty() && a != b)
       throw Error(file.string(), "belongs to another scene than " + glb.string());
   }
-  program::require_writable_folder(arguments.out / "tiles");  // which goes again if this fails
   const exports::TilesetReport report =
       exports::write_tileset(scene, lights ? &*lights : nullptr, arguments.out, arguments.tiles);
   fmt::print("wrote {}: {} tiles, {} triangles, {} features, {} lights\n",

@@ -31,7 +31,8 @@ std::optional<Days> parse_days(string_view text) {
   while (text.ends_with(' ')) text.remove_suffix(1);
   if (const std::size_t dots = text.find(".."); dots != string_view::npos) {
     const auto from = parse_days(text.substr(0, dots)), to = parse_days(text.substr(dots + 2));
-    return from && to ? std::optional(Days{from->first, to->last}) : std::nullopt;
+    return from && to && from->first <= to->last ? std::optional(Days{from->first, to->last})
+                                                 : std::nullopt;
   }
   if (text.starts_with("before ")) {
     const auto then = parse_days(text.substr(7));

@@ -13,6 +13,7 @@ namespace {
 constexpr double finest_cell_m = 128;
 constexpr std::size_t max_cached = 160'000;  // triangles, 80 bytes each
 constexpr std::size_t crowded = 256;         // triangles of a bucket
+constexpr std::size_t block_size = 64;       // triangles that share a box where one is crowded
 constexpr double min_plan_area_m2 = 1e-8;    // below it a triangle is a wall or a line
 constexpr double edge_m = 1e-6;              // a point this near to an edge counts as on it
 constexpr double beyond_any_frame_m = 1e9;
@@ -31,6 +32,7 @@ struct SurfaceStore::Loaded {
   double buckets_per_m = 1;
   int side = 1;
   std::vector<std::uint32_t> first, inside;
+  std::vector<Extent> boxes;  // of each block_size of `inside`; empty where no bucket is crowded
 
   Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size)
       : triangles(std::move(t)), corner(low) {
@@ -42,6 +44,7 @@ struct SurfaceStore::Loaded {
     }
     sort_from_the_top();
     sort_into_buckets();
+    if (find_fullest() > crowded) box_blocks();
   }
 
   // Thousands of triangles that each cover the whole cell would be listed in all of its buckets.
@@ -115,6 +118,34 @@ struct SurfaceStore::Loaded {
     triangles = std::move(sorted);
   }
 
+  // Returns the rectangle of all places that the triangle serves, which reach the farther beyond a
+  // corner the sharper it is.
+  static Extent find_served(const Triangle& t) {
+    const glm::dvec2 a(t.corners[0]), u = glm::dvec2(t.corners[1]) - a,
+                                      v = glm::dvec2(t.corners[2]) - a;
+    const glm::dvec2 low = glm::min(a, a + glm::min(u, v)), high = glm::max(a, a + glm::max(u, v));
+    const double around = glm::length(u) + glm::length(v) + glm::length(v - u),
+                 beyond = 2 * edge_m * around / std::abs(cross(u, v));
+    const glm::dvec2 margin = beyond * (high - low) + edge_m;
+    return {low - margin, high + margin};
+  }
+
+  // Thousands of triangles that differ by less than a millimetre serve nearly the same places, and
+  // most places that are asked for are beside them.
+  void box_blocks() {
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      const Extent served = find_served(triangles[inside[i]]);
+      if (i % block_size == 0) boxes.push_back(served);
+      boxes.back().low = glm::min(boxes.back().low, served.low);
+      boxes.back().high = glm::max(boxes.back().high, served.high);
+    }
+  }
+
+  bool may_serve(std::size_t block, const glm::dvec2& p) const {
+    const Extent& box = boxes[block];
+    return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+  }
+
   /// Memory, in triangles.
   std::size_t cost() const { return triangles.size() + inside.size() / 20 + 8; }
 
@@ -163,10 +194,19 @@ struct SurfaceStore::Loaded {
   // Returns at how many triangles it looked.
   std::size_t raise(const glm::dvec2& p, std::optional<double>& best) const {
     const std::size_t b = bucket_at(index(p.x - corner.x), index(p.y - corner.y));
-    std::uint32_t i = first[b];
-    for (; i < first[b + 1] && !(best && *best >= tops[inside[i]]); ++i)
+    std::size_t count = 0, boxed = 0;  // places of `inside` whose blocks have been asked
+    for (std::size_t i = first[b]; i < first[b + 1] && !(best && *best >= tops[inside[i]]); ++i) {
+      if (!boxes.empty() && i >= boxed) {
+        boxed = (i | (block_size - 1)) + 1;
+        if (!may_serve(i / block_size, p)) {
+          i = boxed - 1;
+          continue;
+        }
+      }
+      ++count;
       if (const auto z = height(triangles[inside[i]], p); z && (!best || *z > *best)) best = z;
-    return i - first[b];
+    }
+    return count;
   }
 };
 

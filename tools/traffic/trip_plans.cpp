@@ -67,7 +67,22 @@ class TripPlanner {
 
   std::vector<TripPlan> make() {
     std::vector<TripPlan> plans;
-    if (wanted_ <= 0 || (gates_.empty() && kerbs_.empty())) return plans;
+    const bool has_ends = !gates_.empty() || !kerbs_.empty();
+    if (wanted_ > 0 && has_ends) plans = plan_trips();
+    for (const auto& [road, tally] : tallies_) {
+      report_.wanted[road->highway] = wanted_ > 0 ? demand_.vehicles * tally.wanted / wanted_ : 0;
+      report_.given[road->highway] = tally.given / demand_.cycle_s;
+    }
+    return plans;
+  }
+
+ private:
+  struct Tally {
+    double wanted = 0, given = 0;
+  };
+
+  std::vector<TripPlan> plan_trips() {
+    std::vector<TripPlan> plans;
     const double budget = demand_.vehicles * demand_.cycle_s;
     double spent = 0;
     std::size_t failures = 0, links = 0;
@@ -91,17 +106,8 @@ class TripPlanner {
       links += plan->links.size();
       plans.push_back(std::move(*plan));
     }
-    for (const auto& [road, tally] : tallies_) {
-      report_.wanted[road->highway] = demand_.vehicles * tally.wanted / wanted_;
-      report_.given[road->highway] = tally.given / demand_.cycle_s;
-    }
     return plans;
   }
-
- private:
-  struct Tally {
-    double wanted = 0, given = 0;
-  };
 
   double mean_trip_s() const { return std::min(150.0, 0.35 * demand_.cycle_s); }
   double longest_trip_s() const { return longest_trip * demand_.cycle_s; }

@@ -7,6 +7,7 @@
 
 #include "formats/error.h"
 #include "runtime/measure/pictures.h"
+#include "support/file_limit.h"
 #include "support/temp_folder.h"
 
 namespace nightcity::measure {
@@ -116,6 +117,16 @@ TEST_F(Exr, FolderThatIsNotThereIsAnError) {
   EXPECT_THROW(write_exr(folder / "no/a.exr", sample()), Error);
   EXPECT_THROW(read_exr(folder / "missing.exr"), Error);
   EXPECT_THROW(read_exr(folder.path()), Error);
+}
+
+TEST_F(Exr, AFullDiskIsAnErrorWhereverItEnds) {
+  write_exr(folder / "whole.exr", sample());
+  const std::size_t size = test::read_text(folder / "whole.exr").size();
+  for (std::size_t limit = 0; limit < size; limit += 16) {
+    const test::FileLimit disk(limit);
+    EXPECT_THROW(write_exr(folder / "a.exr", sample()), Error) << limit << " of " << size;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.exr"));
 }
 
 TEST_F(Exr, FileCutAnywhereIsAnErrorNamingTheFile) {

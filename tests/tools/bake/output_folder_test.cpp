@@ -10,6 +10,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/signals.h"
 #include "support/temp_folder.h"
 
 namespace nightcity::bake {
@@ -113,12 +114,12 @@ TEST(OutputFolder, LinksAreFollowedAndDevicesStay) {
   EXPECT_EQ(fs::status("/dev/null").type(), fs::file_type::character);
 }
 
-// Runs `action` in a child that then dies as by kill -9, without destructors or handlers.
-void run_and_kill(const std::function<void()>& action) {
+// Runs `action` in a child that a signal then ends, without destructors.
+void run_and_end(int signal, const std::function<void()>& action) {
   const pid_t child = ::fork();
   if (child == 0) {
     action();
-    ::raise(SIGKILL);
+    ::raise(signal);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -127,7 +128,7 @@ void run_and_kill(const std::function<void()>& action) {
 
 TEST(OutputFolder, TheNextBakeRemovesWhatAKilledOneLeft) {
   const TempFolder folder;
-  run_and_kill([&] {
+  run_and_end(SIGKILL, [&] {
     auto* output = new OutputFolder(folder.path());
     stage(*output, "killed");
   });
@@ -169,6 +170,68 @@ TEST(OutputFolder, AMoveThatWasCutIsFinishedByTheNextBake) {
       { OutputFolder next(out); }
       expect_city(out, "new");
     }
+}
+
+// "index" names two files in a folder of their own, which another program uses as well.
+void stage_index(OutputFolder& output, const std::string& text) {
+  for (const char* name : {"index", "parts/a", "parts/b"}) {
+    AtomicFile file(output.staged(name));
+    file.write(text);
+    file.commit();
+  }
+}
+
+TEST(OutputFolder, FilesMayLieInAFolderOfTheirOwn) {
+  const TempFolder folder;
+  fs::create_directories(folder / "out/parts");
+  test::write_text(folder / "out/parts/notes", "mine");
+  for (const char* text : {"first", "second"}) {
+    OutputFolder output(folder / "out");
+    stage_index(output, text);
+    output.commit();
+    for (const char* name : {"out/index", "out/parts/a", "out/parts/b"})
+      EXPECT_EQ(test::read_text(folder / name), text) << name;
+  }
+  EXPECT_EQ(test::read_text(folder / "out/parts/notes"), "mine");
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder / "out"), {}), 5);
+}
+
+TEST(OutputFolder, AFolderOfItsOwnGoesWithWhatFails) {
+  const TempFolder folder;
+  fs::create_directory(folder / "index");  // in the way
+  {
+    OutputFolder output(folder.path());
+    stage_index(output, "lost");
+    EXPECT_THROW(output.commit(), Error);
+  }
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(OutputFolder, ASignalLeavesNothingOfAFolderOfItsOwn) {
+  const TempFolder folder;
+  run_and_end(SIGTERM, [&] {
+    install_signal_handlers("test");
+    auto* output = new OutputFolder(folder / "new/out");
+    stage_index(*output, "lost");
+    // More names than a reading of the folder returns at once.
+    for (int i = 0; i < 500; ++i)
+      test::write_text(output->staged("parts/" + std::string(40, 'x') + std::to_string(i)), "");
+  });
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(OutputFolder, AMoveIntoAFolderOfItsOwnIsFinishedByTheNext) {
+  const TempFolder folder;
+  const fs::path hidden = folder / ".nightbake-abc123";
+  fs::create_directories(hidden / "parts");
+  for (const char* name : {"index", "parts/a"}) test::write_text(hidden / name, "new");
+  test::write_text(folder / "outside", "mine");
+  test::write_text(hidden / "commit", "index\nparts/a\n../outside\nparts/../../outside\n");
+  { OutputFolder next(folder.path()); }
+  EXPECT_EQ(test::read_text(folder / "index"), "new");
+  EXPECT_EQ(test::read_text(folder / "parts/a"), "new");
+  EXPECT_EQ(test::read_text(folder / "outside"), "mine");
+  EXPECT_EQ(folder.entries(), 3u);
 }
 
 TEST(OutputFolder, AHiddenFolderOfAnotherNameIsNotOurs) {

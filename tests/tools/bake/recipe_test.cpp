@@ -240,6 +240,21 @@ TEST(Recipe, RecipesOfRealCitiesTakeTheirDataFromTheDataFolderAndAreListed) {
   EXPECT_EQ(recipes, 6u);
 }
 
+TEST(Recipe, ATextWithAZeroByteIsRefusedByItsLine) {
+  const TempFolder folder;
+  for (const char* line : {"files = [\"a.gml\", \"b\\u0000c.gml\"]", "files = \"\\u0000\"",
+                           "files = 'a.gml'\nlicence = \"\\u0000\""}) {
+    try {
+      read(folder, std::string("[city]\n") + line);
+      ADD_FAILURE() << line;
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("zero byte"), std::string::npos) << message;
+      EXPECT_NE(message.find("recipe.toml:"), std::string::npos) << message;
+    }
+  }
+}
+
 TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
   const TempFolder folder;
   std::string deep = "a";

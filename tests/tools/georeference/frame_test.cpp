@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "support/temp_folder.h"
 
 namespace nightcity::georeference {
 namespace {
@@ -416,6 +417,27 @@ TEST(Frame, DescriptionStatesOperationAndAccuracy) {
   const CityFrame frame = frame_of("EPSG:28992", {{92000, 437000, 0}});
   EXPECT_NE(frame.description().find("accuracy"), std::string::npos) << frame.description();
   EXPECT_NE(frame.description().find("axes"), std::string::npos);
+}
+
+// A file that a stranger wrote must not choose what is opened here, a FIFO say.
+TEST(Frame, ADefinitionOfAFileOpensNoOtherFile) {
+  const test::TempFolder folder;
+  const std::string other = (folder / "other").string();
+  test::write_text(other, "no grid");
+  const auto error_of = [](const std::string& srs, const CityFrame::Options& options) {
+    try {
+      frame_of(srs, {{391000, 5819000, 30}}, options);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const std::string& srs :
+       {"+init=" + other + ":1", "+proj=pipeline +step +proj=vgridshift +grids=" + other,
+        "+proj=utm +zone=33 +ellps=GRS80 +nadgrids=" + other + " +type=crs"})
+    EXPECT_NE(error_of(srs, {}).find("names the file \"" + other), std::string::npos) << srs;
+  const std::string by_recipe = error_of("", {"+init=" + other + ":1", {}});
+  EXPECT_EQ(by_recipe.find("names the file"), std::string::npos) << by_recipe;
 }
 
 }  // namespace

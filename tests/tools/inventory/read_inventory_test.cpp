@@ -396,6 +396,27 @@ TEST(Inventory, EveryFormatGivesTheSameLamp) {
   EXPECT_NE(error_of([&] { read_inventory(file); }).find("names no CRS"), std::string::npos);
 }
 
+// As PROJ would open whatever grid it names, a device say.
+TEST(Inventory, ACrsThatNamesAFileIsAnErrorOfItsTable) {
+  const TempFolder folder;
+  write_lamp(folder / "lamps.shp", "ESRI Shapefile");
+  write_text(folder / "other", "no grid");
+  write_text(folder / "lamps.prj",
+             "PROJCS[\"a\",GEOGCS[\"b\",DATUM[\"c\",SPHEROID[\"GRS80\",6378137,298.257],"
+             "EXTENSION[\"PROJ4_GRIDS\",\"" +
+                 (folder / "other").string() +
+                 "\"]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+                 "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],"
+                 "PARAMETER[\"central_meridian\",15],PARAMETER[\"scale_factor\",0.9996],"
+                 "PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],"
+                 "UNIT[\"metre\",1]]");
+  InventoryFile file;
+  file.file = folder / "lamps.shp";
+  const std::string message = error_of([&] { read_inventory(file); });
+  EXPECT_NE(message.find("lamps.shp: CRS"), std::string::npos) << message;
+  EXPECT_NE(message.find("names the file"), std::string::npos) << message;
+}
+
 TEST(Inventory, RowsAtOnePlaceAreLuminairesOfOnePost) {
   const TempFolder folder;
   write_text(folder / "l.csv",

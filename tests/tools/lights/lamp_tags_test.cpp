@@ -209,7 +209,7 @@ TEST(LampState, ADateEndsWithItsLastDay) {
   expect("C19", 1800y / January / 1, 1899y / December / 31);
   expect("2010..2015-03", 2010y / January / 1, 2015y / March / 31);
   expect("before 1950", Day::min(), 1950y / January / 1);
-  for (const char* text : {"", "soon", "2015-13", "2015-02-30", "2015-05-01x"})
+  for (const char* text : {"", "soon", "2015-13", "2015-02-30", "2015-05-01x", "3010..2015"})
     EXPECT_FALSE(parse_days(text)) << text;
 }
 

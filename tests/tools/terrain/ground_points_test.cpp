@@ -44,8 +44,6 @@ TEST(GroundPoints, KeepsAllUpToItsLimitAndTheLowestOfEachSquareBeyond) {
   for (const glm::dvec3& p : points.points()) EXPECT_TRUE(std::isfinite(p.x));
 }
 
-// A brute-force search is the oracle, for triangles of all sizes, many more than memory keeps at
-// once.
 TEST(SurfaceStore, LooksAtATriangleOnceHoweverOftenItIsThere) {
   const test::TempFolder folder;
   SurfaceStore store(folder / "x");
@@ -84,7 +82,22 @@ TEST(SurfaceStore, FindsSteepTrianglesThatRiseAboveTheirCornersAtTheEdge) {
   EXPECT_EQ(store.highest_at({0.009, 0}), 100.001);
 }
 
-TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
+// Beside thousands of roofs that differ by less than a millimetre, none of them is looked at.
+TEST(SurfaceStore, LooksAtNoneOfACrowdBesideIt) {
+  const test::TempFolder folder;
+  SurfaceStore store(folder / "x");
+  for (int n = 0; n < 5000; ++n) {
+    const double aside = 1e-7 * ((n * 7919) % 5000), z = 1e-7 * n;
+    store.add({aside, 0, z}, {aside + 10, 0, z}, {aside + 10, 10, z});
+  }
+  EXPECT_EQ(store.count_candidates({10.3, 5}), 0u);
+  EXPECT_EQ(store.highest_at({10.3, 5}), std::nullopt);
+  EXPECT_NEAR(store.highest_at({9, 5}).value(), 1e-7 * 4999, 1e-12);
+}
+
+// A brute-force search is the oracle, for triangles of 1 to 10^`magnitude` metres in a square of
+// `side_m`.
+void expect_what_brute_force_finds(double side_m, double magnitude) {
   const test::TempFolder folder;
   SurfaceStore store(folder / "x");
   std::vector<std::array<glm::dvec3, 3>> all;
@@ -94,8 +107,8 @@ TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
     return (state >> 8) / 16777216.0;
   };
   for (int i = 0; i < 3000; ++i) {
-    const double size = std::pow(10.0, random() * 3.5);
-    const glm::dvec3 at(412000 + random() * 3000, 5762000 + random() * 3000, random() * 50);
+    const double size = std::pow(10.0, random() * magnitude);
+    const glm::dvec3 at(412000 + random() * side_m, 5762000 + random() * side_m, random() * 50);
     const auto corner = [&] {
       return at + glm::dvec3(random() * size, random() * size, random() * 10);
     };
@@ -103,7 +116,7 @@ TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
     store.add(all.back()[0], all.back()[1], all.back()[2]);
   }
   for (int i = 0; i < 2000; ++i) {
-    const glm::dvec2 p(412000 + random() * 3500, 5762000 + random() * 3500);
+    const glm::dvec2 p(412000 + random() * side_m * 1.2, 5762000 + random() * side_m * 1.2);
     double best = -1;
     for (const auto& [a, b, c] : all) {
       const auto cross = [](const glm::dvec3& u, const glm::dvec3& v) {
@@ -122,6 +135,14 @@ TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
     }
   }
   EXPECT_FALSE(store.highest_at({0, 0}));
+}
+
+TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
+  expect_what_brute_force_finds(3000, 3.5);
+}
+
+TEST(SurfaceStore, FindsWhatABruteForceSearchFindsInACrowd) {
+  expect_what_brute_force_finds(12, 1);
 }
 
 }  // namespace

@@ -270,6 +270,19 @@ TEST(Routes, ARoadTooLongForTheCycleIsSaidWithTheCycleThatWouldDo) {
   EXPECT_EQ(longer.too_long_km, 0);
 }
 
+TEST(Routes, ARingWithoutEndsOrKerbsHasNoTripsAndIsCounted) {
+  const osm::OsmTags trunk = {{"highway", "trunk"}};
+  const RoadGraph graph =
+      graph_of({street(1, {{0, 0}, {300, 0}}, trunk), street(2, {{300, 0}, {150, 300}}, trunk),
+                street(3, {{150, 300}, {0, 0}}, trunk)});
+  LinkNetwork network(graph, test::plane);
+  TripPlanReport report;
+  EXPECT_TRUE(plan_trips(network, {20, 300, 1}, report).empty());
+  EXPECT_GT(report.lane_km.at("trunk"), 1.5);
+  EXPECT_NEAR(report.wanted.at("trunk"), 20, 1e-9);
+  EXPECT_EQ(report.given.at("trunk"), 0);
+}
+
 TEST(Routes, PlansEndAtTheirLimitAndSayWhatIsLeftOut) {
   // A trip along the whole street takes a hundredth of a second: it takes millions of them to keep
   // a thousand vehicles on it.

@@ -1,0 +1,43 @@
+// Checks that hold for every table of lamps, broken or not: for the
+// fuzz target and the test of its corpus.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "formats/error.h"
+#include "tools/inventory/degrees_text.h"
+#include "tools/inventory/read_inventory.h"
+
+namespace nightcity::test {
+
+/// Returns what is wrong with how the text of one cell is read as a place; "" where it is sound.
+inline std::string find_fault_of_cell(std::string_view text) {
+  using namespace inventory;
+  if (const auto angle = parse_angle(text); angle && !std::isfinite(angle->degrees)) return "angle";
+  if (const auto place = parse_lat_lon(text);
+      place && !(std::isfinite(place->x) && std::isfinite(place->y)))
+    return "place";
+  return "";
+}
+
+/// Returns what is wrong with how the table is read; "" where it is sound, or refused with a
+/// reason.
+inline std::string find_fault_of_inventory(const std::filesystem::path& path) {
+  inventory::InventoryFile file;
+  file.file = path;
+  file.max_lamps = 1000;
+  try {
+    const inventory::Inventory read = inventory::read_inventory(file);
+    for (const osm::OsmLampNode& lamp : read.lamps)
+      if (!(std::abs(lamp.lon_lat.x) <= 180 && std::abs(lamp.lon_lat.y) <= 90)) return "place";
+    if (read.lamps.size() > read.report.rows) return "rows";
+  } catch (const Error& error) {
+    if (std::string(error.what()).empty()) return "an error without words";
+  }
+  return "";
+}
+
+}  // namespace nightcity::test
