@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 #include <memory>
+#include <string>
 
 #include "tools/georeference/axis_order.h"
 #include "tools/georeference/source_crs.h"
@@ -25,8 +26,10 @@ class LayerCrs {
   glm::dvec2 to_lon_lat(const glm::dvec2& place) const;
 
   bool is_geographic() const { return crs_->geographic(); }
+  std::string doubt() const { return crs_->doubt(); }
 
  private:
+  void choose_order(const glm::dvec2& middle);
   glm::dvec2 to_east_north(const glm::dvec2& place) const;
 
   std::unique_ptr<georeference::SourceCrs> crs_;
