@@ -677,6 +677,31 @@ TEST(Bake, AMapAloneGivesItsBuildingsTheirWindowsAndLamps) {
   }
 }
 
+// Two rasters over the same two houses: one height every 100 m, and one every 10 m.
+TEST(Bake, TheFinestElevationModelDecides) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", map_of_houses("building"));
+  const auto write = [&](const char* name, double step_degrees, int cells, int height) {
+    std::string text = "ncols " + std::to_string(cells) + "\nnrows " + std::to_string(cells) +
+                       "\nxllcorner 13.39\nyllcorner 52.49\ncellsize " +
+                       std::to_string(step_degrees) + "\n";
+    for (int i = 0; i < cells * cells; ++i) text += std::to_string(height) + " ";
+    write_text(folder / name, text);
+  };
+  write("a_coarse.asc", 0.001, 20, 40);
+  write("b_fine.asc", 0.0001, 200, 42);
+  for (const bool fine_first : {false, true}) {
+    Recipe recipe;
+    recipe.osm.files = {folder / "map.osm"};
+    recipe.terrain.elevation_crs = "EPSG:4326";
+    recipe.terrain.elevation_models = {folder / "a_coarse.asc", folder / "b_fine.asc"};
+    if (fine_first)
+      std::swap(recipe.terrain.elevation_models[0], recipe.terrain.elevation_models[1]);
+    bake(recipe, folder / "out");
+    EXPECT_NEAR(boxes(folder / "out/city.glb").at("roof").greatest.z, 42 + 9, 0.01);
+  }
+}
+
 TEST(Bake, TheReportSaysWhatOfTheMapIsGone) {
   const TempFolder folder;
   std::string map = map_of_houses("building");
