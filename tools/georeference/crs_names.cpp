@@ -23,15 +23,19 @@ bool may_be_name(std::string_view text) {
   return colon == text.npos || text.substr(0, colon).find(' ') != text.npos;
 }
 
-// PROJ knows further names: "ETRS_1989_UTM_Zone_32N" is one of Esri's.
+// PROJ knows further names: "ETRS_1989_UTM_Zone_32N" is one of Esri's, and "NZTM" a part of one.
 bool is_known_name(PJ_CONTEXT* context, const std::string& name) {
   constexpr std::array types{PJ_TYPE_PROJECTED_CRS, PJ_TYPE_GEOGRAPHIC_2D_CRS,
                              PJ_TYPE_GEOGRAPHIC_3D_CRS, PJ_TYPE_COMPOUND_CRS};
-  PJ_OBJ_LIST* const found = proj_create_from_name(context, nullptr, name.c_str(), types.data(),
-                                                   types.size(), false, 1, nullptr);
-  const bool is_known = found && proj_list_get_count(found) > 0;
-  proj_list_destroy(found);
-  return is_known;
+  const auto count = [&](bool by_part, std::size_t most) {
+    PJ_OBJ_LIST* const found = proj_create_from_name(context, nullptr, name.c_str(), types.data(),
+                                                     types.size(), by_part, most, nullptr);
+    const int size = found ? proj_list_get_count(found) : 0;
+    proj_list_destroy(found);
+    return size;
+  };
+  constexpr std::size_t least_letters = 4;
+  return count(false, 1) > 0 || (name.size() >= least_letters && count(true, 2) == 1);
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace nightcity::georeference {
 namespace {
@@ -63,6 +66,31 @@ PjPtr find_best(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place,
   return best;
 }
 
+std::string to_steps(PJ_CONTEXT* context, const PJ* operation) {
+  const char* const said = proj_as_proj_string(context, operation, PJ_PROJ_5, nullptr);
+  std::string text = said ? said : "";
+  constexpr std::string_view pipeline = "+proj=pipeline";
+  if (text.starts_with(pipeline)) return text.substr(pipeline.size());
+  return text.empty() ? text : " +step " + text;
+}
+
+// PROJ looks for operations through third datums between two CRSs in degrees alone where one of
+// them is known at other places: for a grid they are made of those and its projection. Null where
+// there is nothing better than a guess.
+PjPtr find_through_degrees(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place) {
+  const PjPtr degrees{proj_crs_get_geodetic_crs(context, crs)};
+  if (!degrees) return nullptr;
+  PjPtr to_degrees = find_best(context, degrees.get(), place, PROJ_INTERMEDIATE_CRS_USE_ALWAYS);
+  if (!to_degrees || rank(context, to_degrees.get()) >= guess_m) return nullptr;
+  if (is_geographic(crs)) return to_degrees;
+  const PjPtr to_grid{
+      proj_create_crs_to_crs_from_pj(context, degrees.get(), crs, nullptr, nullptr)};
+  const std::string first = to_steps(context, to_degrees.get()),
+                    second = to_grid ? to_steps(context, to_grid.get()) : "";
+  if (first.empty() || second.empty()) return nullptr;
+  return PjPtr{proj_create(context, ("+proj=pipeline" + first + second).c_str())};
+}
+
 }  // namespace
 
 PjPtr find_operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place) {
@@ -73,6 +101,8 @@ PjPtr find_operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::d
     if (PjPtr through =
             find_best(context, crs, place, PROJ_INTERMEDIATE_CRS_USE_IF_NO_DIRECT_TRANSFORMATION))
       best = std::move(through);
+  if (best && rank(context, best.get()) >= guess_m)
+    if (PjPtr made = find_through_degrees(context, crs, place)) best = std::move(made);
   if (best) return best;
   const PjPtr wgs84{proj_create(context, "OGC:CRS84")};
   return wgs84 ? PjPtr{proj_create_crs_to_crs_from_pj(context, wgs84.get(), crs, nullptr, nullptr)}
@@ -86,6 +116,7 @@ bool is_guess(PJ_CONTEXT* context, const PJ* operation) {
 std::string describe_operation(PJ_CONTEXT* context, const PJ* operation) {
   const char* name = proj_get_name(operation);
   std::string text = name && *name ? name : "chosen place by place";
+  if (text == "PROJ-based coordinate operation") text = "through other datums";
   const double accuracy = proj_coordoperation_get_accuracy(context, operation);
   char number[48] = ", accuracy not stated";
   if (accuracy >= 0) std::snprintf(number, sizeof number, ", accuracy %g m", accuracy);

@@ -48,7 +48,6 @@ constexpr std::array pairs{Pair{"lon", "lat"},
                            Pair{"경도", "위도"},
                            Pair{"rechts", "hoch"},
                            Pair{"ost", "nord"},
-                           Pair{"east", "north"},
                            Pair{"e", "n"}};
 
 // Words that say more of a coordinate.

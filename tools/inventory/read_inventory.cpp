@@ -125,7 +125,6 @@ class Reader {
   }
 
   void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {
-    if (is_unfilled(place)) return skip("at the place 0, 0");
     const glm::dvec2 lon_lat = crs_.to_lon_lat(place);
     if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90)) return skip(outside_crs);
     const auto [found, is_new] = at_place_.try_emplace({place.x, place.y}, result_.lamps.size());

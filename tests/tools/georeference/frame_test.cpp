@@ -335,6 +335,12 @@ TEST(Frame, AShiftThroughALaterDatumIsBetterThanNone) {
   const CityFrame frame = frame_of("urn:ogc:def:crs:EPSG::21780", {{0, 0, 500}});
   expect_near(frame.to_lon_lat({0, 0}), {7.43863, 46.95108}, 3e-5);
   EXPECT_EQ(frame.axis_warning(), "");
+  // What PROJ knows of Rome's datum at Milan it says of its degrees alone: the shift is that of the
+  // same datum from Greenwich.
+  const CityFrame rome = frame_of("EPSG:4806", {{9.19 - 12.4523333, 45.46, 0}}),
+                  greenwich = frame_of("EPSG:4265", {{9.19, 45.46, 0}});
+  const glm::dvec2 place(9.19, 45.46);
+  expect_near(rome.from_lon_lat(place), greenwich.from_lon_lat(place), 0.01);
 }
 
 TEST(Frame, ADatumOfUnknownShiftIsToldUnlessSatellitesMadeIt) {
@@ -351,6 +357,7 @@ TEST(Frame, APartOfANameIsNoName) {
     expect_near(frame_of(name, {{2600000, 1200000, 0}}).to_lon_lat({2600000, 1200000}),
                 {7.43863, 46.95108}, 3e-5);
   EXPECT_NO_THROW(frame_of("ETRS_1989_UTM_Zone_32N", {{691928, 5335080, 0}}));
+  EXPECT_NO_THROW(frame_of("NZTM", {{1749000, 5428000, 0}})) << "one CRS alone has it";
   EXPECT_NO_THROW(frame_of("British National Grid", {{531979, 179606, 0}}));
   EXPECT_NO_THROW(frame_of("ETRS89 / UTM zone 32N + DHHN2016 height", {{691928, 5335080, 0}}));
 }
