@@ -16,7 +16,8 @@ std::string keep_letters_and_digits(std::string_view text) {
   return kept;
 }
 
-// Returns whether a text may be a name: codes, URNs, addresses, WKT, JSON and PROJ strings are none.
+// Returns whether a text may be a name: codes, URNs, addresses, WKT, JSON and PROJ strings are
+// none.
 bool may_be_name(std::string_view text) {
   if (text.find_first_of("[{=") != text.npos) return false;
   const std::size_t colon = text.find(':');

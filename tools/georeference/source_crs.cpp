@@ -173,8 +173,8 @@ std::string SourceCrs::doubt() const {
   if (!s.operation || s.semi_major == satellites_m || !is_guess(s.context.get(), s.operation.get()))
     return {};
   return "no shift from WGS 84 to the datum of " + s.name +
-         " is known, and none is made: lamps and streets may commonly lie 60 to 460 m off; coordinates in a "
-         "later CRS, control_points or a PROJ string with +towgs84 help";
+         " is known, and none is made: lamps and streets commonly lie 60 to 460 m off; coordinates in "
+         "a later CRS, control_points or a PROJ string with +towgs84 help";
 }
 
 bool SourceCrs::geographic() const {

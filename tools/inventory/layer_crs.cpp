@@ -36,8 +36,8 @@ std::vector<std::string> list_definitions(OGRLayer& layer, const InventoryFile& 
   return definitions;
 }
 
-// Returns the median of the layer's places, which rows at 0, 0 or -9999 do not move as they move its
-// box.
+// Returns the median of the layer's places, which rows at 0, 0 or -9999 do not move as they move
+// its box.
 std::optional<glm::dvec2> find_middle(OGRLayer& layer) {
   constexpr std::size_t enough = 100'000;  // places, for a middle
   std::vector<glm::dvec2> places;
@@ -78,7 +78,7 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
 void LayerCrs::choose_order(const glm::dvec2& middle) {
   if (crs_->geographic()) return;
   if (!crs_->has_area()) {
-    // What the definition itself says of its axes is all there is.
+    // Nothing but the definition says which way its axes point.
     order_ = {false, crs_->counts_west_and_south() ? -1.0 : 1.0};
     return;
   }

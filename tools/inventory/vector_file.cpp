@@ -119,8 +119,8 @@ void replace_bars(std::string& text) {
 }
 
 // Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8, one that
-// begins with "sep=;" or blank lines without these, and one with bars between its columns with tabs;
-// null for others.
+// begins with "sep=;" or blank lines without these, and one with bars between its columns with
+// tabs; null for others.
 std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file,
                                                const std::string& ending) {
   std::array<char, 8192> bytes{};

@@ -9,7 +9,8 @@
 namespace nightcity::obj {
 namespace {
 
-// Returns what stands behind "unit" or "units" and a colon or an equals sign; "" where nothing does.
+// Returns what stands behind "unit" or "units" and a colon or an equals sign; "" where nothing
+// does.
 std::string_view find_unit(std::string_view comment) {
   std::size_t at = comment.find("unit");
   if (at == comment.npos) return {};

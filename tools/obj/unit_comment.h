@@ -7,8 +7,8 @@
 
 namespace nightcity::obj {
 
-/// Returns the unit that a comment near the beginning of the file names ("# File units = inches", as
-/// SketchUp writes, "# Units: mm"); "" where none does.
+/// Returns the unit that a comment near the beginning of the file names ("# File units = inches",
+/// as SketchUp writes, "# Units: mm"); "" where none does.
 std::string find_unit_comment(const city::Document& document);
 
 }  // namespace nightcity::obj

@@ -11,8 +11,8 @@ namespace nightcity::terrain {
 bool is_fill_value(double stored, double metres);
 
 /// Returns whether a pixel is an end of its type of whole numbers, which producers write where they
-/// know nothing; a scale makes a height of it: -32768 in centimetres would be a pit of 328 m. 0 is a
-/// height.
+/// know nothing; a scale makes a height of it: -32768 in centimetres would be a pit of 328 m. 0 is
+/// a height.
 bool is_end_of_type(double stored, GDALDataType type);
 
 }  // namespace nightcity::terrain

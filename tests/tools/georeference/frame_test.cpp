@@ -335,8 +335,8 @@ TEST(Frame, AShiftThroughALaterDatumIsBetterThanNone) {
   const CityFrame frame = frame_of("urn:ogc:def:crs:EPSG::21780", {{0, 0, 500}});
   expect_near(frame.to_lon_lat({0, 0}), {7.43863, 46.95108}, 3e-5);
   EXPECT_EQ(frame.axis_warning(), "");
-  // What PROJ knows of Rome's datum at Milan it says of its degrees alone: the shift is that of the
-  // same datum from Greenwich.
+  // PROJ knows the shift at Milan from Rome's datum in degrees alone. It is that of the same datum
+  // counted from Greenwich.
   const CityFrame rome = frame_of("EPSG:4806", {{9.19 - 12.4523333, 45.46, 0}}),
                   greenwich = frame_of("EPSG:4265", {{9.19, 45.46, 0}});
   const glm::dvec2 place(9.19, 45.46);

@@ -37,7 +37,7 @@ std::string why_not(const TempFolder& folder, const std::string& name, const std
 }
 
 constexpr const char* one_feature =
-    R"({"type":"Feature","properties":{"ID":"a"},"geometry":{"type":"Point","coordinates":[13.4,52.5]}})";
+    R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[13.4,52.5]}})";
 
 TEST(TableForms, WordsThatSayMoreMayStandBesideACoordinatesName) {
   const TempFolder folder;

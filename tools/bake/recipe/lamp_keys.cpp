@@ -169,7 +169,8 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
         [&row, folder](const Value& value) {
           row.file = (folder / value.text()).lexically_normal();
         }},
-       text_key("layer", row.layer, "\"lamps\"", "The layer, where several in the file may hold points."),
+       text_key("layer", row.layer, "\"lamps\"",
+                "The layer, where several in the file may hold points."),
        text_key("crs", row.crs, "\"EPSG:25833\"",
                 "Coordinate reference system, in place of the one that the file names. A CSV names "
                 "none, so it is required there: `\"EPSG:4326\"` for longitude and latitude."),
