@@ -690,16 +690,18 @@ TEST(Bake, TheFinestElevationModelDecides) {
   };
   write("a_coarse.asc", 0.001, 20, 40);
   write("b_fine.asc", 0.0001, 200, 42);
-  for (const bool fine_first : {false, true}) {
+  write("c_like_fine.asc", 0.00011, 190, 45);
+  const auto find_ground = [&](const char* first, const char* second) {
     Recipe recipe;
     recipe.osm.files = {folder / "map.osm"};
     recipe.terrain.elevation_crs = "EPSG:4326";
-    recipe.terrain.elevation_models = {folder / "a_coarse.asc", folder / "b_fine.asc"};
-    if (fine_first)
-      std::swap(recipe.terrain.elevation_models[0], recipe.terrain.elevation_models[1]);
+    recipe.terrain.elevation_models = {folder / first, folder / second};
     bake(recipe, folder / "out");
-    EXPECT_NEAR(boxes(folder / "out/city.glb").at("roof").greatest.z, 42 + 9, 0.01);
-  }
+    return boxes(folder / "out/city.glb").at("roof").greatest.z - 9;
+  };
+  EXPECT_NEAR(find_ground("a_coarse.asc", "b_fine.asc"), 42, 0.01);
+  EXPECT_NEAR(find_ground("b_fine.asc", "a_coarse.asc"), 42, 0.01);
+  EXPECT_NEAR(find_ground("c_like_fine.asc", "b_fine.asc"), 45, 0.01) << "about equally fine";
 }
 
 TEST(Bake, TheReportSaysWhatOfTheMapIsGone) {
