@@ -150,6 +150,8 @@ void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definiti
   const bool placed = choice.inside && !sample.empty();
   if (placed) description += "; at " + to_text(choice.centre);
   description += "; from WGS 84: " + source->select_operation(placed ? &choice.centre : nullptr);
+  if (const std::string doubt = source->doubt(); !doubt.empty())
+    axis_warning += (axis_warning.empty() ? "" : "; ") + doubt;
 }
 
 CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const glm::dvec3> sample,

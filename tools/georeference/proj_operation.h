@@ -14,6 +14,10 @@ namespace nightcity::georeference {
 /// Null when PROJ has none.
 PjPtr find_operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place);
 
+/// Returns whether PROJ knows no shift between the datums, and takes degrees of one for the
+/// other's.
+bool is_guess(PJ_CONTEXT* context, const PJ* operation);
+
 /// Returns its name and stated accuracy, for a report.
 std::string describe_operation(PJ_CONTEXT* context, const PJ* operation);
 

@@ -36,6 +36,7 @@ class SourceCrs {
   double semi_major_m() const;
   double inverse_flattening() const;
   const std::string& area_name() const;
+  bool has_area() const;  // PROJ states an area of use
   /// Returns what PROJ makes the geographic CRS below a projected one of.
   std::string base_definition() const;
   /// A projected CRS's grid at a place.
@@ -70,6 +71,10 @@ class SourceCrs {
   /// Returns PROJ's name for it with the stated accuracy. Throws Error when there is none, or when
   /// the definition names a file that it may not. Must be called before from_wgs84 and to_wgs84.
   std::string select_operation(const glm::dvec2* lon_lat);
+
+  /// Returns what is to be told where its datum is one from before satellites whose shift to WGS 84
+  /// PROJ does not know; "" for others. Needs the operation.
+  std::string doubt() const;
 
  private:
   SourceCrs();

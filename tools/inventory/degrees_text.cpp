@@ -108,6 +108,10 @@ std::optional<Angle> parse_angle(std::string_view text) {
 
 std::optional<glm::dvec2> parse_lat_lon(std::string_view text) {
   constexpr std::string_view around = " \t()[]";
+  // Socrata writes the address first: "1 Main St\nChicago\n(41.88, -87.63)".
+  if (const std::size_t bracket = text.rfind('(');
+      bracket != text.npos && city::trim(text).ends_with(')'))
+    text.remove_prefix(bracket);
   while (!text.empty() && around.find(text.front()) != around.npos) text.remove_prefix(1);
   while (!text.empty() && around.find(text.back()) != around.npos) text.remove_suffix(1);
   // Two angles with something between them: at a comma or semicolon, else behind a letter.

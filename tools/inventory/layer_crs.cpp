@@ -3,11 +3,15 @@
 #include <cpl_conv.h>
 #include <ogr_spatialref.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/error.h"
 #include "tools/georeference/srs_names.h"
+#include "tools/inventory/row_places.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -16,7 +20,9 @@ namespace {
 std::vector<std::string> list_definitions(OGRLayer& layer, const InventoryFile& inventory) {
   if (!inventory.crs.empty()) return georeference::list_crs_definitions(inventory.crs);
   const OGRSpatialReference* said = layer.GetSpatialRef();
-  if (!said) return {};
+  // A GeoPackage has an "Undefined geographic SRS" and a Cartesian one for what nobody knows.
+  if (!said || std::string_view(said->GetName() ? said->GetName() : "").starts_with("Undefined"))
+    return {};
   std::vector<std::string> definitions;
   OGRSpatialReference crs(*said);
   if (!crs.GetAuthorityCode(nullptr)) crs.AutoIdentifyEPSG();
@@ -28,6 +34,21 @@ std::vector<std::string> list_definitions(OGRLayer& layer, const InventoryFile& 
   if (crs.exportToWkt(&text, format) == OGRERR_NONE && text) definitions.emplace_back(text);
   CPLFree(text);
   return definitions;
+}
+
+// Returns the median of the layer's places, which rows at 0, 0 or -9999 do not move as they move
+// its box.
+std::optional<glm::dvec2> find_middle(OGRLayer& layer) {
+  constexpr std::size_t enough = 100'000;  // places, for a middle
+  std::vector<glm::dvec2> places;
+  layer.ResetReading();
+  for (OGRFeatureUniquePtr row;
+       places.size() < enough && (row = OGRFeatureUniquePtr(layer.GetNextFeature()));)
+    for (const glm::dvec2& place : find_places(row->GetGeometryRef()))
+      if (!is_unfilled(place)) places.push_back(place);
+  layer.ResetReading();
+  const glm::dvec2 middle = georeference::find_median(places);
+  return std::isfinite(middle.x + middle.y) ? std::optional(middle) : std::nullopt;
 }
 
 }  // namespace
@@ -46,28 +67,37 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
   if (!crs_)
     throw Error(inventory.file.string(),
                 "has an unknown CRS (" + why + "): say it by crs in [[lamps.inventories]]");
-  const auto select_operation = [&](const glm::dvec2* lon_lat) {
-    try {
-      crs_->select_operation(lon_lat);
-    } catch (const Error& error) {
-      throw Error(inventory.file.string(), error.what());
-    }
-  };
-  OGREnvelope box;
-  if (layer.GetExtent(&box, TRUE) != OGRERR_NONE) {
-    select_operation(nullptr);
+  const auto middle = find_middle(layer);
+  if (!middle) {
+    select_operation(nullptr, inventory.file);
     return;
   }
-  const glm::dvec2 middle((box.MinX + box.MaxX) / 2, (box.MinY + box.MaxY) / 2);
+  choose_order(*middle);
+  const glm::dvec2 lon_lat = crs_->to_own_lon_lat(to_east_north(*middle));
+  select_operation(std::isfinite(lon_lat.x + lon_lat.y) ? &lon_lat : nullptr, inventory.file);
+}
+
+void LayerCrs::select_operation(const glm::dvec2* lon_lat, const std::filesystem::path& file) {
+  try {
+    crs_->select_operation(lon_lat);
+  } catch (const Error& error) {
+    throw Error(file.string(), error.what());
+  }
+}
+
+void LayerCrs::choose_order(const glm::dvec2& middle) {
+  if (crs_->geographic()) return;
+  if (!crs_->has_area()) {
+    // Nothing but the definition says which way its axes point.
+    order_ = {false, crs_->counts_west_and_south() ? -1.0 : 1.0};
+    return;
+  }
   const auto lies_in_area = [&](const georeference::AxisOrder& order) {
     order_ = order;
     return crs_->area_contains(crs_->to_own_lon_lat(to_east_north(middle)), 0);
   };
-  if (!crs_->geographic() && !lies_in_area({false, 1}) && !lies_in_area({false, -1}) &&
-      !lies_in_area({true, -1}))
+  if (!lies_in_area({false, 1}) && !lies_in_area({false, -1}) && !lies_in_area({true, -1}))
     order_ = {};
-  const glm::dvec2 lon_lat = crs_->to_own_lon_lat(to_east_north(middle));
-  select_operation(std::isfinite(lon_lat.x + lon_lat.y) ? &lon_lat : nullptr);
 }
 
 glm::dvec2 LayerCrs::to_east_north(const glm::dvec2& place) const {

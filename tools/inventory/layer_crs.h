@@ -3,8 +3,10 @@
 
 #include <ogrsf_frmts.h>
 
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
+#include <string>
 
 #include "tools/georeference/axis_order.h"
 #include "tools/georeference/source_crs.h"
@@ -25,8 +27,12 @@ class LayerCrs {
   glm::dvec2 to_lon_lat(const glm::dvec2& place) const;
 
   bool is_geographic() const { return crs_->geographic(); }
+  std::string doubt() const { return crs_->doubt(); }
 
  private:
+  void choose_order(const glm::dvec2& middle);
+  /// Chooses the operation for a place, as SourceCrs does. Throws Error with the file.
+  void select_operation(const glm::dvec2* lon_lat, const std::filesystem::path& file);
   glm::dvec2 to_east_north(const glm::dvec2& place) const;
 
   std::unique_ptr<georeference::SourceCrs> crs_;

@@ -31,7 +31,8 @@ const std::array<Guess, 12> guesses{{
      {"mountingheight", "mountht", "mountheight", "lampheight", "poleheight", "lichtpunkthoehe",
       "lph", "height", "hoehe", "hgt"}},
     {"lumens", {"lumens", "lumen", "luminousflux", "lightflux", "flux", "lichtstrom"}},
-    {"watts", {"wattage", "watts", "watt", "lampwatts", "lampwatt", "leistung", "power"}},
+    {"watts",
+     {"wattage", "watts", "watt", "lampwattage", "lampwatts", "lampwatt", "leistung", "power"}},
     {"kelvin",
      {"kelvin", "cct", "colortemp", "colourtemp", "colortemperature", "colourtemperature",
       "farbtemperatur"}},
@@ -54,12 +55,21 @@ std::string simplify(string_view name) {
   return out;
 }
 
+constexpr const char* shapefile = "ESRI Shapefile";
+
+// Returns whether a column has that name; a Shapefile cuts "mounting_height" to "mounting_h".
+bool is_named(const std::string& column, string_view name, bool in_shapefile) {
+  constexpr std::size_t longest = 10, least_letters = 8;
+  // Without the unit of "Mounting height (ft)".
+  const std::string simple = simplify(string_view(column).substr(0, column.find_first_of("([")));
+  return simple == name || (in_shapefile && column.size() == longest &&
+                            simple.size() >= least_letters && name.starts_with(simple));
+}
+
 const std::string* find_column(const TableLook& look, const Guess& guess) {
   for (const string_view name : guess.names)
     for (const std::string& column : look.columns)
-      // Without the unit of "Mounting height (ft)".
-      if (simplify(string_view(column).substr(0, column.find_first_of("(["))) == name)
-        return &column;
+      if (is_named(column, name, look.format == shapefile)) return &column;
   return nullptr;
 }
 
@@ -97,10 +107,11 @@ bool is_name_of_lamps(string_view text) {
 }
 
 // Rates how well a layer's name and columns speak of lamps.
-int rate_as_lamps(OGRLayer& layer) {
+int rate_as_lamps(OGRLayer& layer, const std::string& format) {
   constexpr int weight_of_name = 3;
   int rate = is_name_of_lamps(layer.GetName()) ? weight_of_name : 0;
   TableLook look;
+  look.format = format;
   OGRFeatureDefn& columns = *layer.GetLayerDefn();
   for (int i = 0; i < columns.GetFieldCount(); ++i)
     look.columns.emplace_back(columns.GetFieldDefn(i)->GetNameRef());
@@ -130,7 +141,7 @@ TableLook look_at_table(const std::filesystem::path& file) {
   int best = -1;  // of layers with points, the one that speaks most of lamps is taken
   for (int i = 0; i < dataset->GetLayerCount(); ++i) {
     OGRLayer* layer = dataset->GetLayer(i);
-    const int rate = holds_points(*layer, inventory) ? rate_as_lamps(*layer) : -1;
+    const int rate = holds_points(*layer, inventory) ? rate_as_lamps(*layer, look.format) : -1;
     look.has_points = look.has_points || rate >= 0;
     if (!chosen || rate > best) chosen = layer;
     best = std::max(best, rate);

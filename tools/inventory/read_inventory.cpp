@@ -19,6 +19,7 @@
 #include "tools/inventory/degrees_text.h"
 #include "tools/inventory/layer_columns.h"
 #include "tools/inventory/layer_crs.h"
+#include "tools/inventory/row_places.h"
 #include "tools/inventory/server_limit.h"
 #include "tools/inventory/text_places.h"
 #include "tools/inventory/vector_file.h"
@@ -55,6 +56,7 @@ class Reader {
     result_.report.file = file_.file.filename().string();
     result_.report.format = driver_name(*dataset_);
     result_.report.incomplete = find_server_limit(file_.file);
+    result_.report.doubt = crs_.doubt();
     layer_.ResetReading();
     for (OGRFeatureUniquePtr row; (row = OGRFeatureUniquePtr(layer_.GetNextFeature()));) {
       if (static_cast<int>(++result_.report.rows) > file_.max_lamps)
@@ -105,7 +107,7 @@ class Reader {
       if (!geometry) CPLErrorReset();
       if (!geometry) geometry = as_text.get();
       if (geometry && !geometry->IsEmpty()) {
-        places = find_places(*geometry);
+        places = find_places(geometry);
         if (places.empty()) return skip("whose geometry is no point");
       } else {
         const auto grouped = crs_.is_geographic() ? std::nullopt : texts_.read_grouped(row);
@@ -120,28 +122,6 @@ class Reader {
     const std::string id = columns_.read_id(row);
     for (std::size_t i = 0; i < places.size(); ++i)
       add(places[i], tags, i == 0 ? id : id + "/" + std::to_string(i));
-  }
-
-  static Places find_places(const OGRGeometry& geometry) {
-    Places places;
-    switch (wkbFlatten(geometry.getGeometryType())) {
-      case wkbPoint: {
-        const OGRPoint& point = *geometry.toPoint();
-        places.emplace_back(point.getX(), point.getY());
-        break;
-      }
-      case wkbMultiPoint:
-        for (const OGRPoint* point : *geometry.toMultiPoint())
-          places.emplace_back(point->getX(), point->getY());
-        break;
-      case wkbGeometryCollection:
-        for (const OGRGeometry* part : *geometry.toGeometryCollection())
-          for (const glm::dvec2& place : find_places(*part)) places.push_back(place);
-        break;
-      default:
-        break;
-    }
-    return places;
   }
 
   void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {

@@ -20,6 +20,7 @@ struct InventoryReport {
   std::size_t replaced = 0;                    // lamps of the map in whose place these stand
   std::map<std::string, std::size_t> columns;  // property, rows that have it
   std::string incomplete;                      // what the server left out (server_limit.h)
+  std::string doubt;                           // how well its CRS places it
 };
 
 struct Inventory {

@@ -56,9 +56,14 @@ std::string find_server_limit(const std::filesystem::path& file) {
     return std::string("the server sent a part of its rows (exceededTransferLimit)") + remedy;
   const auto matched = find_count(text, "\"numberMatched\""),
              returned = find_count(text, "\"numberReturned\"");
-  if (!matched || !returned || *matched <= *returned) return {};
-  return "the server sent " + std::to_string(*returned) + " of its " + std::to_string(*matched) +
-         " rows (numberMatched)" + remedy;
+  if (matched && returned && *matched > *returned)
+    return "the server sent " + std::to_string(*returned) + " of its " + std::to_string(*matched) +
+           " rows (numberMatched)" + remedy;
+  // OGC API: "links": [{"rel": "next", ...}].
+  for (std::string_view rest = text; !(rest = find_value(rest, "\"rel\"")).empty();)
+    if (rest.starts_with("\"next\""))
+      return std::string("the server sent one page of its rows (a link to the next)") + remedy;
+  return {};
 }
 
 }  // namespace nightcity::inventory

@@ -11,6 +11,7 @@
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/city/text_encoding.h"
+#include "tools/inventory/coordinate_columns.h"
 #include "tools/inventory/degrees_text.h"
 #include "tools/inventory/vector_file.h"
 #include "tools/osm/tag_values.h"
@@ -92,13 +93,25 @@ bool has_groups(std::string_view text) {
   return separators > 1 || plain.find_first_of("' ") != std::string::npos;
 }
 
+// Returns whether a text is a geometry in WKT or EWKT, of points.
+bool is_wkt_of_points(std::string_view text) {
+  const std::string lower =
+      to_lower(split_srid(text).first == 0 ? city::trim(text) : split_srid(text).second);
+  for (const std::string_view kind : {"point", "multipoint"}) {
+    if (!lower.starts_with(kind)) continue;
+    const std::size_t next = lower.find_first_not_of(" zm", kind.size());
+    if (next != std::string::npos && lower[next] == '(') return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 TextPlaces::TextPlaces(OGRLayer& layer, const InventoryFile& inventory)
-    : file_(inventory.file.string()),
-      x_(find_column_among(layer, inventory.x.empty() ? x_names : inventory.x)),
-      y_(find_column_among(layer, inventory.y.empty() ? y_names : inventory.y)),
-      geometry_(find_column_among(layer, geometry_names)) {
+    : file_(inventory.file.string()), geometry_(find_column_among(layer, geometry_names)) {
+  const CoordinateColumns guess = find_coordinate_columns(*layer.GetLayerDefn());
+  x_ = inventory.x.empty() ? guess.x : find_column_among(layer, inventory.x);
+  y_ = inventory.y.empty() ? guess.y : find_column_among(layer, inventory.y);
   // The first may have no place.
   constexpr int first_rows = 100;
   layer.ResetReading();
@@ -111,6 +124,9 @@ TextPlaces::TextPlaces(OGRLayer& layer, const InventoryFile& inventory)
 }
 
 void TextPlaces::look_at(const OGRFeature& row) {
+  for (int i = 0; geometry_ < 0 && i < row.GetFieldCount(); ++i)
+    if (row.GetFieldDefnRef(i)->GetType() == OFTString && is_wkt_of_points(text_of(row, i)))
+      geometry_ = i;
   if (geometry_ >= 0 && crs_.empty()) {
     const std::string text = text_of(row, geometry_);
     const int srid = split_srid(text).first, binary = find_binary_srid(text);
@@ -118,9 +134,11 @@ void TextPlaces::look_at(const OGRFeature& row) {
   }
   if (!has_columns()) return;
   for (const int column : {x_, y_}) {
-    const std::string text = text_of(row, column);
-    const bool is_plain = text.find_first_not_of("0123456789.,+-eE \t") == std::string::npos;
-    begins_with_angles_ = begins_with_angles_ || (!is_plain && parse_angle(text));
+    const std::string text(city::trim(text_of(row, column)));
+    // "13 24 03,6" is an angle as "13:24:03,6" is, but "391 403,3" a number in groups.
+    const bool is_plain = text.find_first_not_of("0123456789.,+-eE") == std::string::npos;
+    begins_with_angles_ =
+        begins_with_angles_ || (!is_plain && parse_angle(text) && !parse_grouped(text));
     begins_with_groups_ = begins_with_groups_ || (has_groups(text) && parse_grouped(text));
   }
 }

@@ -20,6 +20,10 @@ class TextPlaces {
   /// Returns the CRS of the first geometry that names one, as "EPSG:4326"; "" where none does.
   const std::string& crs() const { return crs_; }
 
+  /// Columns of east or longitude, north or latitude and whole geometries; -1 without.
+  int x() const { return x_; }
+  int y() const { return y_; }
+  int geometry() const { return geometry_; }
   /// Returns whether there are columns for two coordinates.
   bool has_columns() const { return x_ >= 0 && y_ >= 0; }
   /// Returns whether one of the first 100 rows has angles there that are no plain numbers.
@@ -41,7 +45,7 @@ class TextPlaces {
   std::string text_of(const OGRFeature& row, int column) const;
 
   std::string file_, crs_;
-  int x_ = -1, y_ = -1, geometry_ = -1;  // columns
+  int x_ = -1, y_ = -1, geometry_ = -1;
   bool begins_with_angles_ = false, begins_with_groups_ = false;
 };
 

@@ -56,6 +56,12 @@ std::string explain_unread(const std::filesystem::path& file) {
   if (start.starts_with("PK\x03\x04"))
     return "it is an archive or a spreadsheet: unpack it, or save the table as CSV";
   if (start.empty()) return "it is empty";
+  if (const std::size_t first = start.find_first_not_of(" \t\r\n");
+      first < start.size() && start[first] == '[')
+    return "it is a list in JSON: a table is one object, a FeatureCollection, or an object a line "
+           "(jq -c '.[]' makes lines of a list)";
+  if (start.substr(0, 4).find('\0') != start.npos)
+    return "it is no text in UTF-8: save it so, or in UTF-16 with a mark of byte order";
   if (const std::string what = city::name_foreign(start, ""); !what.empty())
     return "it " + what + "; a table can be saved as GeoJSON, CSV or GeoPackage (ogr2ogr)";
   return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons, "
@@ -96,6 +102,13 @@ bool has_bars(std::string_view text) {
   return line.find('|') != line.npos && line.find_first_of(",;\t") == line.npos;
 }
 
+// Returns whether a table begins with lines of nothing, in which GDAL finds no column.
+bool begins_with_blank_line(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first != text.npos && (text[first] == '\r' || text[first] == '\n');
+}
+
 // Makes tabs of bars but for those in quotation marks.
 void replace_bars(std::string& text) {
   bool quoted = false;
@@ -106,8 +119,8 @@ void replace_bars(std::string& text) {
 }
 
 // Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8, one that
-// begins with "sep=;" without that line, and one with bars between its columns with tabs; null for
-// others.
+// begins with "sep=;" or blank lines without these, and one with bars between its columns with
+// tabs; null for others.
 std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file,
                                                const std::string& ending) {
   std::array<char, 8192> bytes{};
@@ -115,7 +128,7 @@ std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file
   stream.read(bytes.data(), bytes.size());
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start) &&
-      !begins_with_separator(start) && !has_bars(start))
+      !begins_with_separator(start) && !has_bars(start) && !begins_with_blank_line(start))
     return nullptr;
   constexpr std::size_t most = std::size_t{1} << 30;
   const std::array<std::string_view, 1> endings{ending};
@@ -130,25 +143,61 @@ std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file
     }
     if (end + size > most)
       throw Error(file.string(),
-                  "is text in UTF-16, with bars or with a line \"sep=\", of more than 1 GB: "
-                  "save it in UTF-8 with commas and without that line");
+                  "is text in UTF-16, with bars, blank lines at its beginning or a line \"sep=\", "
+                  "of more than 1 GB: "
+                  "save it in UTF-8 with commas and without these lines");
   }
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
-  text.erase(0, text.find_first_not_of("\r\n"));
+  while (begins_with_blank_line(text)) text.erase(0, text.find_first_of("\r\n") + 1);
   if (has_bars(text)) replace_bars(text);
   return std::make_unique<TranslatedFile>(std::move(text), ending);
 }
 
-// Returns whether the first rows of a CSV have degrees and minutes, or digits in groups, in its
-// columns of coordinates: the driver, where it knows these columns, makes numbers of them and loses
-// what is none.
-bool holds_texts(const std::string& path, const InventoryFile& inventory) {
+// Returns a column's name as GDAL's options take it, which end a name at a comma.
+std::string to_pattern(OGRFeatureDefn& columns, int column) {
+  const std::string name = columns.GetFieldDefn(column)->GetNameRef();
+  const std::size_t comma = name.find(',');
+  return comma == name.npos ? name : name.substr(0, comma) + "*";
+}
+
+// Tells GDAL which columns of a CSV hold its places. Where the first rows have degrees and minutes
+// there, or digits in groups, it does not: it would make numbers of them and lose what is none.
+CPLStringList find_columns_of_places(const std::string& path, const InventoryFile& inventory) {
+  CPLStringList options;
   const GDALDatasetUniquePtr dataset(GDALDataset::Open(
       path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
-  if (!dataset || dataset->GetLayerCount() == 0) return false;
+  if (!dataset || dataset->GetLayerCount() == 0) return options;
+  OGRFeatureDefn& columns = *dataset->GetLayer(0)->GetLayerDefn();
   const TextPlaces places(*dataset->GetLayer(0), inventory);
-  return places.begins_with_angles() || places.begins_with_groups();
+  if (places.has_columns() && !places.begins_with_angles() && !places.begins_with_groups()) {
+    options.SetNameValue("X_POSSIBLE_NAMES", to_pattern(columns, places.x()).c_str());
+    options.SetNameValue("Y_POSSIBLE_NAMES", to_pattern(columns, places.y()).c_str());
+  }
+  if (inventory.x.empty() && places.geometry() >= 0)
+    options.SetNameValue("GEOM_POSSIBLE_NAMES", to_pattern(columns, places.geometry()).c_str());
+  return options;
+}
+
+// Returns whether a file begins with a mark of UTF-8 and an object of JSON: of one object a line
+// GDAL would read the first line alone.
+bool is_marked_json(const std::filesystem::path& file) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  std::array<char, 64> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (!start.starts_with(mark)) return false;
+  start.remove_prefix(mark.size());
+  const std::size_t first = start.find_first_not_of(" \t\r\n\x1e");
+  return first != start.npos && start[first] == '{';
+}
+
+// Returns whether lamps may lie in a layer: GeoPackages hold tables of styles and attributes too.
+bool may_hold_points(OGRLayer& layer) {
+  const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+  return type == wkbPoint || type == wkbMultiPoint || type == wkbUnknown ||
+         type == wkbGeometryCollection;
 }
 
 std::string list_layers(GDALDataset& dataset) {
@@ -174,11 +223,9 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
       ending == ".csv" || ending == ".tsv") {
     translated = translate_text(inventory.file, ending);
     if (translated) path = translated->path();
-    if (!holds_texts(path, inventory)) {
-      options.SetNameValue("X_POSSIBLE_NAMES", inventory.x.empty() ? x_names : inventory.x.c_str());
-      options.SetNameValue("Y_POSSIBLE_NAMES", inventory.y.empty() ? y_names : inventory.y.c_str());
-    }
-    if (inventory.x.empty()) options.SetNameValue("GEOM_POSSIBLE_NAMES", geometry_names);
+    options = find_columns_of_places(path, inventory);
+  } else if (is_marked_json(inventory.file)) {
+    path = "/vsisubfile/3," + path;
   }
   GDALDatasetUniquePtr dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                  drivers.data(), options.List(), nullptr));
@@ -197,7 +244,12 @@ OGRLayer& find_layer(GDALDataset& dataset, const InventoryFile& inventory) {
     throw Error(file, "has no layer \"" + inventory.layer + "\": it has " + list_layers(dataset));
   }
   if (dataset.GetLayerCount() == 1) return *dataset.GetLayer(0);
-  if (dataset.GetLayerCount() == 0) throw Error(file, "has no layer");
+  if (dataset.GetLayerCount() == 0) throw Error(file, "has no layer: it is empty or cut short");
+  OGRLayer* only = nullptr;
+  int possible = 0;
+  for (int i = 0; i < dataset.GetLayerCount(); ++i)
+    if (may_hold_points(*dataset.GetLayer(i))) only = dataset.GetLayer(i), ++possible;
+  if (possible == 1) return *only;
   throw Error(file, "has several layers (" + list_layers(dataset) +
                         "): name one by layer in [[lamps.inventories]]");
 }

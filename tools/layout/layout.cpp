@@ -44,7 +44,8 @@ class Layouter {
     std::vector<const osm::OsmWay*> lit, unlit;
     for (const osm::OsmWay& way : osm.highways) {
       if (!roads::read_carriageway(way.tags)) continue;
-      const lights::LitTags read = lights::read_lit_tags(way.tags, "lit");
+      const lights::LitTags read = lights::read_lit_tags(
+          way.tags, "lit", lights::half_at(way.lon_lat.empty() ? 0 : way.lon_lat.front().y));
       const std::string reason = why_unlit(way, read.lit.kind);
       (reason.empty() ? lit : unlit).push_back(&way);
       if (!reason.empty() && in_model(way, to_frame)) ++report_.unlit_ways[reason];

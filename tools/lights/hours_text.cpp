@@ -17,7 +17,7 @@ using std::string_view;
 constexpr int hour = 60, day = 24 * hour;
 constexpr int sunset = 17 * hour, sunrise = 7 * hour;  // around our night
 // The day of the night's evening; its morning is the next one's.
-constexpr int wednesday = 2, december = 11, day_of_month = 15;
+constexpr int wednesday = 2, june = 5, december = 11, day_of_month = 15;
 
 bool is_figure(char c) {
   return c >= '0' && c <= '9';
@@ -90,7 +90,8 @@ bool is_within(int at, int first, int last) {
 
 class RuleReader {
  public:
-  explicit RuleReader(string_view text) : text_(text) {}
+  RuleReader(string_view text, Half half)
+      : text_(text), month_(half == Half::south ? june : december) {}
 
   std::optional<std::vector<HoursRule>> read() {
     std::vector<HoursRule> rules;
@@ -134,7 +135,7 @@ class RuleReader {
         last = 100 * last_month.value_or(*month) + last_number.value_or(31);
         behind = to;
       }
-      holds = holds || is_within(100 * december + day_of_month, first, last);
+      holds = holds || is_within(100 * month_ + day_of_month, first, last);
       text_ = behind;
       rule.is_for_some_days = true;
       if (!take(behind, ",")) break;
@@ -214,6 +215,7 @@ class RuleReader {
   }
 
   string_view text_;
+  int month_;  // of our night
 };
 
 }  // namespace
@@ -253,9 +255,9 @@ std::optional<int> take_clock(string_view& text) {
   return *hours * hour + minutes.value_or(0);
 }
 
-std::optional<std::vector<HoursRule>> read_hours_rules(string_view text) {
+std::optional<std::vector<HoursRule>> read_hours_rules(string_view text, Half half) {
   const std::string lower = to_lower(osm::to_plain_signs(text));
-  return RuleReader(lower).read();
+  return RuleReader(lower, half).read();
 }
 
 }  // namespace nightcity::lights

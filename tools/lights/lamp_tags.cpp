@@ -47,7 +47,7 @@ auto number_in(std::initializer_list<string_view> units) {
 
 class LampTagReader {
  public:
-  explicit LampTagReader(const osm::OsmTags& tags) : tags_(tags) {}
+  LampTagReader(const osm::OsmTags& tags, Half half) : tags_(tags), half_(half) {}
 
   LampTags read() {
     read_switching();
@@ -90,7 +90,7 @@ class LampTagReader {
   void read_switching() {
     lamp_.outage = find_outage(tags_, today(), lamp_.unread);
     for (const char* key : {"lit", "light:lit"}) {
-      const LitTags read = read_lit_tags(tags_, key);
+      const LitTags read = read_lit_tags(tags_, key, half_);
       for (const std::string& text : read.unread) ++lamp_.unread[text];
       if (read.lit.kind == LitTag::Kind::dark) lamp_.outage = "lit=no";
       if (!lamp_.hours) lamp_.hours = read.lit.hours;
@@ -193,6 +193,7 @@ class LampTagReader {
   }
 
   const osm::OsmTags& tags_;
+  Half half_;
   LampTags lamp_;
 };
 
@@ -238,8 +239,8 @@ std::optional<LampType> parse_lamp_type(string_view text) {
   return std::nullopt;
 }
 
-LampTags read_lamp_tags(const osm::OsmTags& tags) {
-  return LampTagReader(tags).read();
+LampTags read_lamp_tags(const osm::OsmTags& tags, Half half) {
+  return LampTagReader(tags, half).read();
 }
 
 }  // namespace nightcity::lights

@@ -36,7 +36,7 @@ struct LampTags {
 };
 
 /// Reads all tags of a lamp. Never throws: values that are not understood are counted in `unread`.
-LampTags read_lamp_tags(const osm::OsmTags& tags);
+LampTags read_lamp_tags(const osm::OsmTags& tags, Half half = Half::north);
 
 /// Returns a colour temperature in kelvin, 1000 to 20000: "3000", "3000 K", "3000k", "warm_white",
 /// the middle of "3000-4000", the first of a list.

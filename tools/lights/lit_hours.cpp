@@ -79,8 +79,8 @@ class NightOfRules {
 
 }  // namespace
 
-std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
-  const std::optional<std::vector<HoursRule>> rules = read_hours_rules(text);
+std::optional<NightSchedule> parse_lit_hours(std::string_view text, Half half) {
+  const std::optional<std::vector<HoursRule>> rules = read_hours_rules(text, half);
   if (!rules) return {};
   NightOfRules night;
   for (const HoursRule& rule : *rules)

@@ -24,6 +24,14 @@ constexpr int minute_of(int hour, int minute) {
   return ((hour + 24 - night_begin_hour) % 24) * 60 + minute;
 }
 
+/// The half of the Earth that a light stands on. Our night is a long one, with its sunset before
+/// 17:00: one of December in the north, of June in the south.
+enum class Half : std::uint8_t { north, south };
+
+constexpr Half half_at(double latitude) {
+  return latitude < 0 ? Half::south : Half::north;
+}
+
 /// Up to four spans of light, in minutes after 17:00, ascending and apart. A span with on == off
 /// is not used.
 struct NightSchedule {

@@ -59,7 +59,7 @@ class Placer {
   void leave_out(std::string_view reason) { ++set_.left_out[std::string(reason)]; }
 
   void place(const osm::OsmLampNode& node) {
-    const LampTags tags = read_lamp_tags(node.tags);
+    const LampTags tags = read_lamp_tags(node.tags, half_at(node.lon_lat.y));
     for (const auto& [text, count] : tags.unread)
       set_.notes[(node.is_inventory ? "inventory value not understood: " : "tag not understood: ") +
                  text] += count;

@@ -87,13 +87,13 @@ class Placer {
                          const std::vector<glm::dvec2>& outline) {
     if (kind == MapLightKind::floodlit && is_flat(thing.tags))
       return out_.leave_out("plaque, mural or the like");
-    if (!is_lit(thing.tags, kind)) return out_.leave_out("that no tag says is lit");
+    if (!is_lit(thing, kind)) return out_.leave_out("that no tag says is lit");
     std::optional<Box> box = find_box(outline);
     if (!box) box = Box{outline.front(), {1, 0}, monument_m, monument_m};
     if (box->length_m > max_box_m) return out_.leave_out("larger than 250 m");
     if (!ground_.height_at(box->centre)) return out_.leave_out("outside the model");
     if (has_floodlights(*box)) return out_.leave_out("lit by floodlights of the map");
-    const LitThing lit{thing, kind, find_hours(kind, thing.tags, options_, out_.report().notes)};
+    const LitThing lit{thing, kind, find_hours(kind, thing, options_, out_.report().notes)};
     if (lit.hours.night.never()) return out_.leave_out("lit at other times than in the night");
     const char* fault = kind == MapLightKind::pitch ? light_pitch(lit, outline, *box)
                         : kind == MapLightKind::petrol_station
@@ -104,10 +104,12 @@ class Placer {
   }
 
   // Petrol stations are lit while they are open; other things where a tag says so.
-  bool is_lit(const osm::OsmTags& tags, MapLightKind kind) const {
+  bool is_lit(const osm::OsmShiningThing& thing, MapLightKind kind) const {
     using Kind = lights::LitTag::Kind;
-    const Kind lit = lights::read_lit_tags(tags, "lit").lit.kind;
-    const Kind floodlit = lights::read_lit_tags(tags, "floodlit").lit.kind;
+    const auto read = [&](const char* key) {
+      return lights::read_lit_tags(thing.tags, key, half_of(thing)).lit.kind;
+    };
+    const Kind lit = read("lit"), floodlit = read("floodlit");
     if (kind == MapLightKind::petrol_station) return lit != Kind::dark;
     return lit == Kind::lit || floodlit == Kind::lit;
   }

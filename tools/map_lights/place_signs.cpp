@@ -67,7 +67,7 @@ void SignPlacer::place(const osm::OsmShiningThing& thing, const std::vector<glm:
   const std::string value = find_tag(thing.tags, "advertising");
   const SignDefaults* kind = find_sign(value);
   if (!kind) return out_.leave_out("advertising of a kind that does not shine");
-  SignTags tags = read_sign_tags(thing.tags, *kind);
+  SignTags tags = read_sign_tags(thing.tags, *kind, half_of(thing));
   for (const auto& [text, count] : tags.unread)
     out_.report().notes["tag not understood: " + text] += count;
   if (!tags.dark.empty()) return out_.leave_out(tags.dark);
@@ -94,7 +94,7 @@ void SignPlacer::place(const osm::OsmShiningThing& thing, const std::vector<glm:
   ++out_.report().sources["size"][nightcity::name_of(tags.size)];
   ++out_.report().sources["that it shines"][tags.shines == ValueSource::tag ? "tag" : "rule"];
   LitThing lit{thing, MapLightKind::advertising,
-               find_hours(MapLightKind::advertising, thing.tags, options, out_.report().notes),
+               find_hours(MapLightKind::advertising, thing, options, out_.report().notes),
                sign_cct_k};
   lit.position = is_moved ? ValueSource::rule : ValueSource::tag;
   lit.height = tags.size;

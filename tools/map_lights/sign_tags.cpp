@@ -16,7 +16,8 @@ constexpr double min_face_m = 0.2, max_face_m = 30, max_top_m = 100;
 
 class SignReader {
  public:
-  SignReader(const osm::OsmTags& tags, const SignDefaults& kind) : tags_(tags) {
+  SignReader(const osm::OsmTags& tags, const SignDefaults& kind, lights::Half half)
+      : tags_(tags), half_(half) {
     sign_.kind = &kind;
     sign_.width_m = kind.width_m;
     sign_.height_m = kind.height_m;
@@ -110,7 +111,7 @@ class SignReader {
   void read_light() {
     const std::string luminous = osm::normalise_tag(find("luminous"));
     if (luminous == "yes" || luminous == "no") sign_.luminous = luminous == "yes";
-    const auto [lit, unread] = lights::read_lit_tags(tags_, "lit");
+    const auto [lit, unread] = lights::read_lit_tags(tags_, "lit", half_);
     for (const std::string& text : unread) ++sign_.unread[text];
     sign_.hours = lit.hours;
     const bool is_lit = lit.kind == lights::LitTag::Kind::lit;
@@ -124,13 +125,14 @@ class SignReader {
   }
 
   const osm::OsmTags& tags_;
+  lights::Half half_;
   SignTags sign_;
 };
 
 }  // namespace
 
-SignTags read_sign_tags(const osm::OsmTags& tags, const SignDefaults& kind) {
-  return SignReader(tags, kind).read();
+SignTags read_sign_tags(const osm::OsmTags& tags, const SignDefaults& kind, lights::Half half) {
+  return SignReader(tags, kind, half).read();
 }
 
 }  // namespace nightcity::map_lights

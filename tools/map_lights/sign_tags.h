@@ -26,7 +26,9 @@ struct SignTags {
 };
 
 /// Reads `size` ("3.56 x 2.52"), `width`, `height` (of the top above the ground), `min_height`,
-/// `sides`, `direction`, `luminous`, `lit`. Never throws. `kind` must be that of the tags.
-SignTags read_sign_tags(const osm::OsmTags& tags, const SignDefaults& kind);
+/// `sides`, `direction`, `luminous`, `lit`. Never throws. `kind` must be that of the tags;
+/// `half` is where it stands (lit_hours.h).
+SignTags read_sign_tags(const osm::OsmTags& tags, const SignDefaults& kind,
+                        lights::Half half = lights::Half::north);
 
 }  // namespace nightcity::map_lights

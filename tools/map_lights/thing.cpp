@@ -10,14 +10,17 @@
 namespace nightcity::map_lights {
 namespace {
 
-std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind, const osm::OsmTags& tags,
+std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind,
+                                                       const osm::OsmShiningThing& thing,
                                                        std::map<std::string, std::size_t>& notes) {
+  const osm::OsmTags& tags = thing.tags;
+  const lights::Half half = half_of(thing);
   for (const char* key : {"floodlit", "lit"})
-    if (const auto hours = lights::read_lit_tags(tags, key).lit.hours) return hours;
+    if (const auto hours = lights::read_lit_tags(tags, key, half).lit.hours) return hours;
   if (kind != MapLightKind::petrol_station) return std::nullopt;
   const std::string opening = find_tag(tags, "opening_hours");
   if (opening.empty()) return std::nullopt;
-  const auto hours = lights::parse_lit_hours(opening);
+  const auto hours = lights::parse_lit_hours(opening, half);
   if (!hours) ++notes["opening hours that cannot be read"];
   return hours;
 }
@@ -27,6 +30,10 @@ std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind, const 
 std::string find_tag(const osm::OsmTags& tags, const char* key) {
   const auto found = tags.find(key);
   return found == tags.end() ? std::string() : found->second;
+}
+
+lights::Half half_of(const osm::OsmShiningThing& thing) {
+  return lights::half_at(thing.lon_lat.empty() ? 0 : thing.lon_lat.front().y);
 }
 
 std::optional<MapLightKind> find_kind(const osm::OsmTags& tags) {
@@ -39,9 +46,9 @@ std::optional<MapLightKind> find_kind(const osm::OsmTags& tags) {
   return std::nullopt;
 }
 
-Hours find_hours(MapLightKind kind, const osm::OsmTags& tags, const MapLightOptions& options,
-                 std::map<std::string, std::size_t>& notes) {
-  if (const auto hours = find_tagged_hours(kind, tags, notes)) return {*hours, ValueSource::tag};
+Hours find_hours(MapLightKind kind, const osm::OsmShiningThing& thing,
+                 const MapLightOptions& options, std::map<std::string, std::size_t>& notes) {
+  if (const auto hours = find_tagged_hours(kind, thing, notes)) return {*hours, ValueSource::tag};
   const auto asked = options.off.find(kind);
   const lights::NightSpan dark = asked == options.off.end() ? find_dark_span(kind) : asked->second;
   return {lights::dark_between(dark.from, dark.to)};

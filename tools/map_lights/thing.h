@@ -21,6 +21,9 @@ std::string find_tag(const osm::OsmTags& tags, const char* key);
 /// Returns the kind of light that the tags speak of; none where they speak of none.
 std::optional<MapLightKind> find_kind(const osm::OsmTags& tags);
 
+/// Returns the half of the Earth that a thing stands on, which decides the season of its hours.
+lights::Half half_of(const osm::OsmShiningThing& thing);
+
 struct Hours {
   lights::NightSchedule night;
   ValueSource source = ValueSource::rule;
@@ -28,8 +31,8 @@ struct Hours {
 /// Returns when a thing shines: by its tags `lit` or `floodlit`, a petrol station by its
 /// `opening_hours`, otherwise by the options, otherwise by the defaults. Counts in `notes` what it
 /// cannot read.
-Hours find_hours(MapLightKind kind, const osm::OsmTags& tags, const MapLightOptions& options,
-                 std::map<std::string, std::size_t>& notes);
+Hours find_hours(MapLightKind kind, const osm::OsmShiningThing& thing,
+                 const MapLightOptions& options, std::map<std::string, std::size_t>& notes);
 
 /// Returns the places of a thing's nodes in the frame; of a closed way without the repeated one.
 /// Empty where one has no place there.

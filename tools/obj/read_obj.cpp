@@ -1,18 +1,23 @@
 #include "tools/obj/read_obj.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
+#include <glm/common.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "tools/city/cut_picture.h"
+#include "tools/city/length_unit.h"
 #include "tools/city/merge_parts.h"
+#include "tools/city/text_encoding.h"
 #include "tools/in_order.h"
 #include "tools/obj/face_pictures.h"
 #include "tools/obj/group_reader.h"
 #include "tools/obj/object_kinds.h"
 #include "tools/obj/text_lines.h"
+#include "tools/obj/unit_comment.h"
 #include "tools/obj/vertices.h"
 
 namespace nightcity::obj {
@@ -108,6 +113,27 @@ city::RawObject to_raw(const Faces& faces, const Vertices& vertices, const FaceP
   return raw;
 }
 
+// Metres and millimetres are told apart by anyone who knows the city.
+std::string describe_size(const city::Document& document, const Vertices& vertices) {
+  if (vertices.places.empty()) return {};
+  glm::dvec3 low = vertices.places.front(), high = low;
+  for (const glm::dvec3& p : vertices.places) low = glm::min(low, p), high = glm::max(high, p);
+  const glm::dvec3 size = high - low;
+  char text[120];
+  std::snprintf(text, sizeof text, ": so it is %.4g m wide, %.4g m long and %.4g m high", size.x,
+                size.y, size.z);
+  const std::string unit = find_unit_comment(document);
+  const auto metres = city::find_metres_per(unit);
+  if (unit.empty() || metres == 1.0) return text;
+  std::string comment = "; a comment in it names the unit \"" + city::decode_text(unit) + "\"";
+  if (metres) {
+    char number[60];
+    std::snprintf(number, sizeof number, ": [city] obj_unit_m = %.9g", *metres);
+    comment += number;
+  }
+  return text + comment;
+}
+
 void tell_placement(const city::Document& document, const Vertices& vertices,
                     const city::ReadOptions& options, city::ReadReport& report) {
   const char* axis = vertices.y_up ? "y" : "z";
@@ -120,7 +146,8 @@ void tell_placement(const city::Document& document, const Vertices& vertices,
     report.warnings.push_back(
         document.name +
         ": an OBJ names neither unit nor place: its coordinates are taken as metres of the city's "
-        "system ([city] obj_unit_m and obj_origin say otherwise)");
+        "system ([city] obj_unit_m and obj_origin say otherwise)" +
+        describe_size(document, vertices));
   if (vertices.grouping == Grouping::by_connection)
     report.warnings.push_back(document.name +
                               ": names no parts (o, g): faces that hang together are one building");

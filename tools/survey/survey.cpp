@@ -118,7 +118,7 @@ void look_at_raster(SurveyedFile& file) {
   file.use = Use::elevation;
   file.has_crs = model.has_crs();
   file.what = fmt::format("raster of heights, one every {:.3g} m{}", model.resolution_m(),
-                          file.has_crs ? "" : ", names no CRS: that of the city is taken");
+                          file.has_crs ? "" : ", names no CRS: [terrain] dem_crs, else the city's");
   if (!model.assumption().empty()) file.what += ", " + model.assumption();
 }
 

@@ -18,45 +18,17 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/packed_file.h"
-#include "tools/city/attributes.h"
 #include "tools/city/foreign_format.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/terrain/fill_value.h"
 #include "tools/terrain/height_unit.h"
+#include "tools/terrain/raster_crs.h"
 #include "tools/terrain/raster_formats.h"
 
 namespace nightcity::terrain {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-// Tells values that stand for no height although the raster does not declare them: beyond any height
-// on the Earth, or a number that producers write, and lower than any land. `stored`: the pixel's.
-bool is_fill_value(double stored, double metres) {
-  constexpr double lowest_land = -500;  // the shore of the Dead Sea lies at -430 m
-  constexpr double lowest = -9'900, highest = 9'000;
-  if (!(metres > lowest && metres < highest)) return true;
-  return metres < lowest_land && city::is_sentinel(stored);
-}
-
-// Tells the ends of a type of whole numbers, which producers write where they know nothing, from
-// heights that a scale makes of others: -32768 in centimetres would be a pit of 328 m. 0 is a
-// height.
-bool is_end_of_type(double stored, GDALDataType type) {
-  switch (type) {
-    case GDT_Int16:
-      return stored == std::numeric_limits<std::int16_t>::min() ||
-             stored == std::numeric_limits<std::int16_t>::max();
-    case GDT_UInt16:
-      return stored == std::numeric_limits<std::uint16_t>::max();
-    case GDT_Int32:
-      return stored == std::numeric_limits<std::int32_t>::min() ||
-             stored == std::numeric_limits<std::int32_t>::max();
-    case GDT_UInt32:
-      return stored == std::numeric_limits<std::uint32_t>::max();
-    default:
-      return false;
-  }
-}
 
 // Colours are no heights, though the numbers of a picture can be read as such.
 void refuse_picture(GDALDataset& dataset, const std::string& name) {
@@ -155,7 +127,8 @@ glm::dvec2 ElevationModel::State::find_pixel(const glm::dvec2& place) const {
   return pixel;
 }
 
-ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_mpx)
+ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_mpx,
+                               const std::string& crs_without)
     : state_(std::make_unique<State>()) {
   gdal::register_drivers();
   const gdal::Guard guard;
@@ -163,6 +136,8 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   s.name = file.string();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) throw Error(s.name, "does not exist");
+  if (std::filesystem::is_directory(file, ignored))
+    throw Error(s.name, "is a folder: name the rasters in it");
   refuse_special_file(file);
   if (const char* format = find_refused_format(s.name))
     throw Error(s.name, std::string("is of the raster format ") + format +
@@ -185,15 +160,20 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   if (const double value = s.band->GetScale(&said); said && value != 0) s.scale = value;
   if (const double value = s.band->GetOffset(&said); said) s.offset = value;
 
-  s.unit = find_height_unit(*s.band, s.dataset->GetSpatialRef(), s.name);
-  if (assumes_metres(*s.band, s.dataset->GetSpatialRef()))
+  const auto found = find_raster_crs(*s.dataset, file, crs_without);
+  const OGRSpatialReference* const crs = found ? &*found : nullptr;
+  s.unit = find_height_unit(*s.band, crs, s.name);
+  if (s.band->GetRasterDataType() == GDT_Byte && s.scale == 1)
+    s.assumption = "heights of " + file.filename().string() +
+                   " taken as metres, although they are bytes (0 to 255), as a shaded relief has";
+  if (assumes_metres(*s.band, crs))
     s.assumption = "heights of " + file.filename().string() +
                    " taken as metres, of which its CRS, which counts feet, says nothing "
                    "(gdal_edit.py -units ft says that they are feet)";
-  if (counts_downward(s.dataset->GetSpatialRef())) s.unit = -s.unit;
+  if (counts_downward(crs)) s.unit = -s.unit;
 
   double unit_m = 1;
-  if (const OGRSpatialReference* crs = s.dataset->GetSpatialRef(); crs && !crs->IsEmpty()) {
+  if (crs) {
     OGRSpatialReference raster(*crs), wgs84;
     wgs84.importFromEPSG(4326);
     raster.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -210,6 +190,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
 
 ElevationModel::~ElevationModel() = default;
 ElevationModel::ElevationModel(ElevationModel&&) noexcept = default;
+ElevationModel& ElevationModel::operator=(ElevationModel&&) noexcept = default;
 
 bool ElevationModel::has_crs() const {
   return state_->transformation != nullptr;

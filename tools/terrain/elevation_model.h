@@ -17,17 +17,21 @@ class ElevationModel {
   /// Opens band 1 of the raster. Throws Error: missing, no raster, no place on earth (no
   /// geotransform), a picture in colours, heights in a unit that is not known, blocks of more than
   /// `max_block_mpx` million pixels. A raster is read in windows, so that its own size costs
-  /// nothing, but GDAL unpacks blocks as a whole.
+  /// nothing, but GDAL unpacks blocks as a whole. `crs_without`: the CRS of a raster that names
+  /// none; "": it stays without.
   explicit ElevationModel(const std::filesystem::path& file,
-                          int max_block_mpx = default_max_block_mpx);
+                          int max_block_mpx = default_max_block_mpx,
+                          const std::string& crs_without = {});
   ~ElevationModel();
   ElevationModel(ElevationModel&&) noexcept;
+  ElevationModel& operator=(ElevationModel&&) noexcept;
 
   /// Returns whether the raster names a CRS. Without one, its coordinates are taken to be the
   /// caller's.
   bool has_crs() const;
   /// Returns what is assumed about the heights and may be wrong, for a report: that they are metres
-  /// where the CRS counts feet in the plan and names no unit of heights. Else "".
+  /// where the CRS counts feet in the plan and names no unit of heights, or where pixels are bytes,
+  /// as pictures have them. Else "".
   const std::string& assumption() const;
   /// Returns the distance of neighbouring heights, m (north-south, for a raster in degrees).
   double resolution_m() const;

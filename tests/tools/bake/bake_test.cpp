@@ -677,6 +677,33 @@ TEST(Bake, AMapAloneGivesItsBuildingsTheirWindowsAndLamps) {
   }
 }
 
+// Two rasters over the same two houses: one height every 100 m, and one every 10 m.
+TEST(Bake, TheFinestElevationModelDecides) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", map_of_houses("building"));
+  const auto write = [&](const char* name, double step_degrees, int cells, int height) {
+    std::string text = "ncols " + std::to_string(cells) + "\nnrows " + std::to_string(cells) +
+                       "\nxllcorner 13.39\nyllcorner 52.49\ncellsize " +
+                       std::to_string(step_degrees) + "\n";
+    for (int i = 0; i < cells * cells; ++i) text += std::to_string(height) + " ";
+    write_text(folder / name, text);
+  };
+  write("a_coarse.asc", 0.001, 20, 40);
+  write("b_fine.asc", 0.0001, 200, 42);
+  write("c_like_fine.asc", 0.00011, 190, 45);
+  const auto find_ground = [&](const char* first, const char* second) {
+    Recipe recipe;
+    recipe.osm.files = {folder / "map.osm"};
+    recipe.terrain.elevation_crs = "EPSG:4326";
+    recipe.terrain.elevation_models = {folder / first, folder / second};
+    bake(recipe, folder / "out");
+    return boxes(folder / "out/city.glb").at("roof").greatest.z - 9;
+  };
+  EXPECT_NEAR(find_ground("a_coarse.asc", "b_fine.asc"), 42, 0.01);
+  EXPECT_NEAR(find_ground("b_fine.asc", "a_coarse.asc"), 42, 0.01);
+  EXPECT_NEAR(find_ground("c_like_fine.asc", "b_fine.asc"), 45, 0.01) << "about equally fine";
+}
+
 TEST(Bake, TheReportSaysWhatOfTheMapIsGone) {
   const TempFolder folder;
   std::string map = map_of_houses("building");

@@ -329,6 +329,40 @@ TEST(Frame, GridsCountFromTheirOwnPrimeMeridian) {
   }
 }
 
+// The old observatory of Bern, of which the grid of 1898 counts. Its degrees begin there too, and
+// its shift to WGS 84 leads through the later Swiss datum (swisstopo: 46d 57' 3.8986", 7d 26'
+// 19.0766"); without it places lay 170 m off.
+TEST(Frame, AShiftThroughALaterDatumIsBetterThanNone) {
+  const CityFrame frame = frame_of("urn:ogc:def:crs:EPSG::21780", {{0, 0, 500}});
+  expect_near(frame.to_lon_lat({0, 0}), {7.43863, 46.95108}, 3e-5);
+  EXPECT_EQ(frame.axis_warning(), "");
+  // PROJ knows the shift at Milan from Rome's datum in degrees alone. It is that of the same datum
+  // counted from Greenwich.
+  const CityFrame rome = frame_of("EPSG:4806", {{9.19 - 12.4523333, 45.46, 0}}),
+                  greenwich = frame_of("EPSG:4265", {{9.19, 45.46, 0}});
+  const glm::dvec2 place(9.19, 45.46);
+  expect_near(rome.from_lon_lat(place), greenwich.from_lon_lat(place), 0.01);
+}
+
+TEST(Frame, ADatumOfUnknownShiftIsToldUnlessSatellitesMadeIt) {
+  const CityFrame old = frame_of("EPSG:2040", {{500000, 800000, 0}});
+  EXPECT_NE(old.axis_warning().find("60 to 460 m"), std::string::npos) << old.axis_warning();
+  EXPECT_EQ(frame_of("EPSG:22212", {{500000, 7000000, 0}}).axis_warning(), "");
+}
+
+// PROJ finds Minna in Nigeria by "n/a", Amersfoort by "foo" and Hong Kong by "GK".
+TEST(Frame, APartOfANameIsNoName) {
+  for (const char* name : {"n/a", "foo", "GK", "Beijing", "KOREA"})
+    EXPECT_THROW(frame_of(name, {{8, 9, 0}}), Error) << name;
+  for (const char* name : {"LV95", "CH1903+ / LV95", "CH1903+_LV95", "ch1903+/lv95"})
+    expect_near(frame_of(name, {{2600000, 1200000, 0}}).to_lon_lat({2600000, 1200000}),
+                {7.43863, 46.95108}, 3e-5);
+  EXPECT_NO_THROW(frame_of("ETRS_1989_UTM_Zone_32N", {{691928, 5335080, 0}}));
+  EXPECT_NO_THROW(frame_of("NZTM", {{1749000, 5428000, 0}})) << "one CRS alone has it";
+  EXPECT_NO_THROW(frame_of("British National Grid", {{531979, 179606, 0}}));
+  EXPECT_NO_THROW(frame_of("ETRS89 / UTM zone 32N + DHHN2016 height", {{691928, 5335080, 0}}));
+}
+
 // A grad is nine tenths of a degree: a thousandth is 100 m of a meridian, by the metre's own
 // definition; on Clarke's ellipsoid of 1880 at 48.85 degrees it is 100.08 m.
 TEST(Frame, GradsAreNoDegrees) {

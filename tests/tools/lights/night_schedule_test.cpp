@@ -5,6 +5,7 @@
 
 #include "formats/night_check.h"
 #include "tests/tools/lights/kept_schedules.h"
+#include "tools/lights/lamp_tags.h"
 #include "tools/random.h"
 
 namespace nightcity::lights {
@@ -188,6 +189,22 @@ TEST(NightSchedule, HoursBySeasonOffOpenEndedAndOnClocksOfTwelveHours) {
         "Oct- 17:00-22:00", "week 1-10 17:00-22:00", "17:00-23:00,22:00-05:00 off", "6-11pm",
         "17:00-22:00 || \"on demand\"", "easter off", "Mo-Fr 17:00-22:00 off off"})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
+}
+
+// Nights are long in June there.
+TEST(NightSchedule, SeasonsAreTurnedInTheSouth) {
+  const std::pair<const char*, NightSchedule> known[] = {
+      {"Oct-Mar 20:00-22:00; Apr-Sep 17:00-23:00", night({{0, 360}})},
+      {"17:00-22:00; Jun-Aug 18:00-23:00", night({{60, 360}})},
+      {"Jan,Nov,Dec sunset-23:00", NightSchedule{}},
+      {"18:00-22:00", night({{60, 300}})},
+  };
+  for (const auto& [text, schedule] : known)
+    EXPECT_EQ(parse_lit_hours(text, Half::south), schedule) << text;
+  EXPECT_EQ(half_at(-33.87), Half::south);
+  EXPECT_EQ(half_at(52.5), Half::north);
+  EXPECT_EQ(read_lamp_tags({{"lit", "Apr-Sep 17:00-23:00"}}, Half::south).hours, night({{0, 360}}));
+  EXPECT_TRUE(read_lamp_tags({{"lit", "Apr-Sep 17:00-23:00"}}, Half::north).unlit);
 }
 
 TEST(NightSchedule, HoursAreCountedAtFullHours) {

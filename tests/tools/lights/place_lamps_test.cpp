@@ -56,6 +56,15 @@ LampSet place(std::vector<osm::OsmLampNode> lamps, std::vector<osm::OsmWay> road
   return place_lamps(osm, flat_earth(), ground);
 }
 
+// The equator runs along the plane's middle; the long night is June's south of it.
+TEST(Lamps, HoursByTheSeasonAreThoseOfTheLampsHalfOfTheEarth) {
+  const osm::OsmTags tags{{"lit", "Oct-Mar 17:00-22:00; Apr-Sep 17:00-23:00"}};
+  const LampSet set = place({lamp_at(0, 20, tags), lamp_at(0, -20, tags, 2)});
+  ASSERT_EQ(set.lamps.size(), 2u);
+  for (const PlacedLamp& lamp : set.lamps)
+    EXPECT_EQ(lamp.hours->off[0], lamp.foot.y > 0 ? 300 : 360) << "minutes after 17:00";
+}
+
 TEST(Lamps, BareLampTakesItsValuesFromTheRoadBesideAndSaysSo) {
   const LampSet set = place({lamp_at(10, 5)}, {road({{"highway", "residential"}})});
   ASSERT_EQ(set.lamps.size(), 1u);

@@ -35,6 +35,12 @@ TEST(SignTags, WhatIsSaidToBeDarkIsDark) {
   EXPECT_EQ(read("sign", {{"lit", "no"}, {"luminous", "yes"}}).dark, "");
 }
 
+TEST(SignTags, TheSeasonIsThatOfItsHalfOfTheEarth) {
+  const osm::OsmTags tags{{"lit", "Apr-Sep 17:00-23:00"}};
+  EXPECT_EQ(read("billboard", tags).dark, "lit=no");
+  EXPECT_EQ(read_sign_tags(tags, *find_sign("billboard"), lights::Half::south).dark, "");
+}
+
 TEST(SignTags, SizesAreReadAsPeopleWriteThem) {
   for (const char* size : {"4x3", "4 x 3", "4m x 3m", "4,0 x 3,0 m", "400 cm x 300 cm", "4×3"}) {
     const SignTags sign = read("screen", {{"size", size}});

@@ -77,6 +77,20 @@ TEST(Obj, UnitAxesAndPlaceComeFromTheOptions) {
   EXPECT_EQ(read_obj_head(TemporaryFile(text, ".obj").path(), options).srs_name, "");
 }
 
+TEST(Obj, ItsSizeAndTheUnitOfACommentAreTold) {
+  const std::string triangle = "v 0 0 0\nv 9000 9000 1000\nv 0 9000 1000\nf 1 2 3\n";
+  const auto told = [&](const std::string& start) {
+    return read_obj_text(start + triangle, with_up(city::MeshPlacement::Up::z))
+        .report.warnings.at(0);
+  };
+  EXPECT_NE(told("").find("9000 m wide, 9000 m long and 1000 m high"), std::string::npos)
+      << told("");
+  EXPECT_EQ(told("").find("comment"), std::string::npos);
+  EXPECT_EQ(told("# File units = meters\n").find("comment"), std::string::npos);
+  EXPECT_NE(told("# File units = inches\n").find("obj_unit_m = 0.0254"), std::string::npos);
+  EXPECT_NE(told("# by X\r\n#Units: mm\r\n").find("obj_unit_m = 0.001"), std::string::npos);
+}
+
 TEST(Obj, TheAxisAlongWhichACityExtendsLessPointsUp) {
   const City y = read_obj_text("v 0 0 0\nv 9 1 9\nv 0 1 9\nf 1 2 3\n");
   EXPECT_EQ(y.objects.at(0).polygons.at(0).exterior[1], glm::dvec3(9, -9, 1));

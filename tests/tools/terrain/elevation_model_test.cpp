@@ -342,8 +342,53 @@ TEST(ElevationModel, BlocksOfTooManyPixelsNameTheKeyThatAllowsThem) {
   }
 }
 
+// Germany's heights come as tables of x, y and z, which have no place for a CRS.
+TEST(ElevationModel, ATableOfHeightsHasTheCrsBesideItOrTheOneGiven) {
+  const TempFolder folder;
+  std::string rows;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x)
+      rows += std::to_string(391000 + 10 * x) + " " + std::to_string(5819000 + 10 * y) + " 37.5\n";
+  test::write_text(folder / "a.xyz", rows);
+  EXPECT_FALSE(ElevationModel(folder / "a.xyz").has_crs());
+  const glm::dvec2 place(13.39402, 52.51030);  // (391010, 5819010) of EPSG:25833
+  const ElevationModel given(folder / "a.xyz", default_max_block_mpx, "EPSG:25833");
+  EXPECT_NEAR(sample(given, {place})[0], 37.5, 1e-9);
+  EXPECT_THROW(ElevationModel(folder / "a.xyz", default_max_block_mpx, "EPSG:1"), Error);
+  GDALAllRegister();
+  OGRSpatialReference crs;
+  crs.importFromEPSG(25833);
+  crs.morphToESRI();
+  char* text = nullptr;
+  crs.exportToWkt(&text);
+  test::write_text(folder / "a.prj", text);
+  CPLFree(text);
+  const ElevationModel beside(folder / "a.xyz", default_max_block_mpx, "EPSG:25832");
+  EXPECT_NEAR(sample(beside, {place})[0], 37.5, 1e-9) << "its own goes before the one given";
+}
+
+TEST(ElevationModel, BytesAreTold) {
+  const TempFolder folder;
+  GDALAllRegister();
+  for (const GDALDataType type : {GDT_Byte, GDT_Int16}) {
+    {
+      GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+          (folder / "b.tif").c_str(), 4, 4, 1, type, nullptr));
+      double transform[6] = {391000, 1, 0, 5819000, 0, -1};
+      set->SetGeoTransform(transform);
+    }
+    EXPECT_EQ(ElevationModel(folder / "b.tif").assumption().empty(), type != GDT_Byte);
+  }
+}
+
 TEST(ElevationModel, RefusesWhatIsNoRaster) {
   const TempFolder folder;
+  try {
+    ElevationModel(folder.path());
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("is a folder"), std::string::npos) << error.what();
+  }
   test::write_text(folder / "text.tif", "heights");
   EXPECT_THROW(ElevationModel(folder / "text.tif"), Error);
   EXPECT_THROW(ElevationModel(folder / "absent.tif"), Error);

@@ -30,9 +30,10 @@ class GroundHeights {
   /// "" where all name one.
   const std::string& unplaced() const { return unplaced_; }
 
-  /// Returns a height (m) for each place (E, N): that of the first model that has one there, NaN
-  /// where none has. Places that lie together are read together. Safe to call from several threads,
-  /// one of which works at a time. Throws Error when a model cannot be read.
+  /// Returns a height (m) for each place (E, N): that of the finest model that has one there, of
+  /// about equally fine ones the first; NaN where none has. Places that lie together are read
+  /// together. Safe to call from several threads, one of which works at a time. Throws Error when a
+  /// model cannot be read.
   std::vector<double> at(std::span<const glm::dvec2> places) const;
 
  private:

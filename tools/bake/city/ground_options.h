@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "tools/terrain/elevation_model.h"
@@ -9,9 +10,10 @@
 namespace nightcity::bake {
 
 struct GroundOptions {
-  /// Elevation models (any raster that GDAL reads) for a city without relief of its own. The first
-  /// that has a height at a place decides it.
+  /// Elevation models (any raster that GDAL reads) for a city without relief of its own. The finest
+  /// that has a height at a place decides it, of about equally fine ones the first.
   std::vector<std::filesystem::path> elevation_models;
+  std::string elevation_crs;  // of those that name none; "": the city's
   /// The city's objects stand on the elevation models already: these are not moved to meet them.
   bool carries_buildings = false;
   int max_dem_block_mpx = terrain::default_max_block_mpx;

@@ -169,13 +169,15 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
         [&row, folder](const Value& value) {
           row.file = (folder / value.text()).lexically_normal();
         }},
-       text_key("layer", row.layer, "\"lamps\"", "The layer, where the file has several."),
+       text_key("layer", row.layer, "\"lamps\"",
+                "The layer, where several in the file may hold points."),
        text_key("crs", row.crs, "\"EPSG:25833\"",
                 "Coordinate reference system, in place of the one that the file names. A CSV names "
                 "none, so it is required there: `\"EPSG:4326\"` for longitude and latitude."),
        text_key("x", row.x, "\"LON\"",
                 "The column of a CSV with longitude or easting. Without it: a common name (lon, "
-                "longitude, x, easting, ...)."),
+                "longitude, x, easting, ..., also as in `GPS_LON` or `coord. x`), or a column of "
+                "points as text (WKT)."),
        text_key("y", row.y, "\"LAT\"",
                 "The column of a CSV with latitude or northing. Without it: a common name."),
        text_key("id", row.id, "\"POLEID\"",

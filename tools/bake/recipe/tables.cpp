@@ -58,10 +58,15 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
   return {
       "terrain",
       "The ground of a city whose model has no relief.",
-      {paths_key("dem", terrain.elevation_models, folder, {}, R"(["heights.tif"])",
-                 "Digital elevation models in a raster format that GDAL reads, except those "
-                 "that lead to other files or the network (VRT, WMS). They are not "
-                 "used where the city model has a relief of its own."),
+      {paths_key(
+           "dem", terrain.elevation_models, folder, {}, R"(["heights.tif"])",
+           "Digital elevation models in a raster format that GDAL reads, except those "
+           "that lead to other files or the network (VRT, WMS). Where several have a height the "
+           "finest decides, of about equally fine ones the first. They are not "
+           "used where the city model has a relief of its own."),
+       text_key("dem_crs", terrain.elevation_crs, "\"EPSG:25832\"",
+                "The CRS of elevation models that name none, as tables of `x y z` do, in "
+                "themselves or in a `.prj` beside them. Without it, they have the city's."),
        integer_key("max_dem_block_mpx", terrain.max_dem_block_mpx, 1, 10'000,
                    "A limit: the bake ends at an elevation model whose blocks (tiles or rows, "
                    "which are unpacked as a whole) have more pixels, in millions. The size of "

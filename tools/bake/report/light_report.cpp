@@ -50,6 +50,7 @@ json to_json(const inventory::InventoryReport& report) {
             {"lamps", report.lamps},     {"joined", report.joined},  {"replaced", report.replaced},
             {"skipped", report.skipped}, {"columns", report.columns}};
   if (!report.incomplete.empty()) made["incomplete"] = report.incomplete;
+  if (!report.doubt.empty()) made["doubt"] = report.doubt;
   return made;
 }
 
@@ -62,6 +63,7 @@ std::string to_text(const inventory::InventoryReport& report) {
   if (!report.columns.empty()) text += "; rows with " + in_words(report.columns);
   if (!report.skipped.empty()) text += "; skipped: rows " + in_words(report.skipped);
   if (!report.incomplete.empty()) text += "; incomplete: " + report.incomplete;
+  if (!report.doubt.empty()) text += "; doubt: " + report.doubt;
   return text;
 }
 

@@ -1,0 +1,118 @@
+#include "tools/inventory/coordinate_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/to_lower.h"
+#include "tools/city/text_encoding.h"
+
+namespace nightcity::inventory {
+namespace {
+
+using std::string_view;
+
+struct Pair {
+  string_view x, y;
+};
+// Names without blanks and signs, best first. Words for length and width alone are none: lamps have
+// both.
+constexpr std::array pairs{Pair{"lon", "lat"},
+                           Pair{"long", "lat"},
+                           Pair{"lng", "lat"},
+                           Pair{"longitude", "latitude"},
+                           Pair{"x", "y"},
+                           Pair{"easting", "northing"},
+                           Pair{"laengengrad", "breitengrad"},
+                           Pair{"längengrad", "breitengrad"},
+                           Pair{"geolaenge", "geobreite"},
+                           Pair{"rechtswert", "hochwert"},
+                           Pair{"ostwert", "nordwert"},
+                           Pair{"longitud", "latitud"},
+                           Pair{"longitudine", "latitudine"},
+                           Pair{"lengtegraad", "breedtegraad"},
+                           Pair{"længdegrad", "breddegrad"},
+                           Pair{"lengdegrad", "breddegrad"},
+                           Pair{"dlugosc", "szerokosc"},
+                           Pair{"długość", "szerokość"},
+                           Pair{"zemdelka", "zemsirka"},
+                           Pair{"zeměpisnádélka", "zeměpisnášířka"},
+                           Pair{"delka", "sirka"},
+                           Pair{"долгота", "широта"},
+                           Pair{"Долгота", "Широта"},
+                           Pair{"経度", "緯度"},
+                           Pair{"经度", "纬度"},
+                           Pair{"經度", "緯度"},
+                           Pair{"경도", "위도"},
+                           Pair{"rechts", "hoch"},
+                           Pair{"ost", "nord"},
+                           Pair{"e", "n"}};
+
+// Words that say more of a coordinate.
+constexpr std::array<string_view, 42> qualifiers{
+    "coordinates", "coordinate", "coordenadas", "coordenada", "coordonnees", "coordonnee",
+    "coordinata",  "coord",      "koordinaten", "koordinate", "koordinat",   "koord",
+    "geographic",  "geometry",   "geom",        "geo",        "gps",         "wgs84",
+    "wgs",         "etrs89",     "utm",         "epsg",       "decimal",     "dec",
+    "degrees",     "degree",     "deg",         "dd",         "°",           "position",
+    "pos",         "point",      "location",    "loc",        "centroid",    "center",
+    "centre",      "map",        "grid",        "gis",        "lv95",        "m"};
+
+bool are_qualifiers(string_view text) {
+  if (text.empty()) return true;
+  for (const string_view word : qualifiers)
+    if (text.starts_with(word) && are_qualifiers(text.substr(word.size()))) return true;
+  // The number of a CRS.
+  constexpr std::size_t least = 4, most = 6;
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  return digits >= least && digits <= most && are_qualifiers(text.substr(digits));
+}
+
+// Returns a column's name in lower case without blanks and signs, nor what stands in brackets.
+std::string simplify(const char* name) {
+  constexpr std::size_t longest = 60;
+  const std::string whole = to_lower(city::decode_text(name));
+  std::string simple;
+  for (const char c : whole.substr(0, whole.find_first_of("([", 1)))
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80)
+      simple += c;
+  return simple.size() > longest ? std::string() : simple;
+}
+
+int find(const std::vector<std::string>& names, string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+// Finds the pair with the same words beside both.
+CoordinateColumns find_qualified(const std::vector<std::string>& names, const Pair& pair) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t at = names[i].find(pair.x); at != std::string::npos;
+         at = names[i].find(pair.x, at + 1)) {
+      const string_view name = names[i], before = name.substr(0, at),
+                        after = name.substr(at + pair.x.size());
+      if (!are_qualifiers(before) || !are_qualifiers(after)) continue;
+      const int y = find(names, std::string(before) + std::string(pair.y) + std::string(after));
+      if (y >= 0) return {static_cast<int>(i), y};
+    }
+  return {};
+}
+
+}  // namespace
+
+CoordinateColumns find_coordinate_columns(OGRFeatureDefn& columns) {
+  std::vector<std::string> names;
+  for (int i = 0; i < columns.GetFieldCount(); ++i)
+    names.push_back(simplify(columns.GetFieldDefn(i)->GetNameRef()));
+  for (const Pair& pair : pairs)
+    if (const CoordinateColumns found{find(names, pair.x), find(names, pair.y)};
+        found.x >= 0 && found.y >= 0)
+      return found;
+  for (const Pair& pair : pairs)
+    if (const CoordinateColumns found = find_qualified(names, pair); found.y >= 0) return found;
+  return {};
+}
+
+}  // namespace nightcity::inventory
