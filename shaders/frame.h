@@ -95,6 +95,14 @@ struct PixelBlock {
   uint hidden;  // those of them that met one
 };
 
+// A ray of a list (rays.comp).
+struct ProbeRay {
+  vec3 from;    // model space, m
+  float t_max;  // its length, in units of `way`
+  vec3 way;
+  uint pad;
+};
+
 #define PROJECTION_PERSPECTIVE 0u
 #define PROJECTION_FISHEYE 1u          // equidistant, a hemisphere across the shorter side
 #define PROJECTION_EQUIRECTANGULAR 2u  // all directions: longitude by latitude
@@ -115,12 +123,14 @@ struct Camera {
 #ifdef __cplusplus
 static_assert(sizeof(IrradianceCell) == 32);
 static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32);
+static_assert(sizeof(ProbeRay) == 32);
 }  // namespace nightcity::gpu
 #endif
 
 ARRAY_REFERENCE_16(Surfaces, Surface, )
 ARRAY_REFERENCE_16(Reservoirs, Reservoir, )
 ARRAY_REFERENCE(Targets, float, )
+ARRAY_REFERENCE_16(ProbeRays, ProbeRay, readonly)
 ARRAY_REFERENCE(PixelBlocks, PixelBlock, )
 ARRAY_REFERENCE(PathVertices, PathVertex, )
 ARRAY_REFERENCE_16(IrradianceCells, IrradianceCell, )
@@ -143,6 +153,12 @@ struct UpwardMap {
   float origin_x, origin_z, cell_m;
   uint width, depth;
   uint rays;  // per light, over all dispatches
+};
+
+// The rays that are traced for their time.
+struct RayProbe {
+  BUFFER(ProbeRays) rays;
+  BUFFER(Targets) distances;  // of their hits, in units of `way`; 0 = any; -1 = none
 };
 
 // Air that scatters light (air.glsl).
@@ -268,6 +284,7 @@ struct Frame {
   BUFFER(Accumulations) reference;  // of VIEW_DIFFERENCE
   uvec2 reference_size;
   UpwardMap upward;
+  RayProbe probe;
 };
 
 #ifdef __cplusplus

@@ -14,6 +14,7 @@ void add_view_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_upward_command(CLI::App& app);
+void add_rays_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_sweep_command(CLI::App& app);
 void add_flight_command(CLI::App& app);

@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
     nightcity::nightview::add_view_command(app);
     nightcity::nightview::add_compare_command(app);
     nightcity::nightview::add_bench_command(app);
+    nightcity::nightview::add_rays_command(app);
     nightcity::nightview::add_upward_command(app);
     nightcity::nightview::add_devices_command(app);
     nightcity::nightview::add_sweep_command(app);

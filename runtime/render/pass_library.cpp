@@ -207,6 +207,16 @@ const TracePass& PassLibrary::upward(const PassConstants& constants) {
       .first->second;
 }
 
+const TracePass& PassLibrary::rays(const PassConstants& constants, bool any_hit) {
+  const auto known = rays_.find({constants, any_hit});
+  if (known != rays_.end()) return known->second;
+  const TraceShader shader =
+      any_hit ? TraceShader{rays_any_spirv, rays_any_query_spirv, rays_any_pipeline_spirv}
+              : TraceShader{rays_spirv, rays_query_spirv, rays_pipeline_spirv};
+  return rays_.emplace(std::pair(constants, any_hit), make_trace(constants, shader, over_a_list))
+      .first->second;
+}
+
 const DisplayPasses& PassLibrary::display(const PassConstants& constants) {
   const auto known = display_.find(constants);
   if (known != display_.end()) return known->second;

@@ -70,6 +70,8 @@ class PassLibrary {
   /// Returns whether the device translates passes, so that it keeps others waiting.
   bool is_busy() const { return is_busy_; }
   const TracePass& upward(const PassConstants& constants);
+  /// The same for a list of rays: for their closest hits, or whether they have any.
+  const TracePass& rays(const PassConstants& constants, bool any_hit);
   /// The same for the passes of the display. Only the display's constants may differ from 0.
   const DisplayPasses& display(const PassConstants& constants);
 
@@ -101,6 +103,7 @@ class PassLibrary {
   std::map<Key, Kept> sets_;
   std::uint64_t asked_ = 0;  // calls
   std::map<PassConstants, TracePass> upward_;
+  std::map<std::pair<PassConstants, bool>, TracePass> rays_;
   std::map<PassConstants, DisplayPasses> display_;
   std::atomic<bool> is_busy_ = false;
   Key next_{};                // compiled in the background,
