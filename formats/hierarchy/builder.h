@@ -24,12 +24,6 @@ constexpr std::uint32_t find_needed_stack(std::size_t boxes, std::uint32_t max_l
   return need;
 }
 
-/// How much a builder looks for the best splits.
-enum class Effort {
-  quick,     // at most 16 bins an axis, and a sample of large ranges: while a scene is loaded
-  thorough,  // 64 bins, and every primitive: once, while it is baked
-};
-
 /// A child of a node, as the builder has measured it.
 struct MeasuredChild {
   Bounds box;
@@ -63,8 +57,8 @@ class Builder {
   };
 
   /// A leaf has at most `max_leaf` entries, twice the weight of a primitive or more.
-  Builder(std::span<Primitive> primitives, std::uint32_t max_leaf, Effort effort = Effort::quick)
-      : primitives_(primitives), max_leaf_(max_leaf), effort_(effort) {}
+  Builder(std::span<Primitive> primitives, std::uint32_t max_leaf)
+      : primitives_(primitives), max_leaf_(max_leaf) {}
 
   /// Returns the primitives from `begin` on, whose entries in leaves are those from `first` on.
   Range measure(std::uint32_t begin, std::uint32_t end, std::uint32_t first) const {
@@ -146,19 +140,17 @@ class Builder {
   }
 
  private:
-  static constexpr std::size_t quick_bins = 16, thorough_bins = 64;
-  // With few primitives, most of 16 bins would be empty, and with very few sorting them is faster.
+  static constexpr std::size_t max_bins = 64;
+  // With few primitives, most of 64 bins would be empty, and with very few sorting them is faster.
   static constexpr std::uint32_t few = 24;
   static constexpr std::size_t few_bins = 8;
-
-  // From ranges of more than this, a sample of at least this many primitives decides the quick split.
-  static constexpr std::uint32_t min_sample = 4096;
 
   // Maps centres to bins, on all axes at once.
   struct Binning {
     Float4 lower, scale{};
     std::size_t bins;
-    Binning(const Range& r, std::size_t count) : lower(r.centres.lower), bins(count) {
+    explicit Binning(const Range& r)
+        : lower(r.centres.lower), bins(r.size() < few ? few_bins : max_bins) {
       const Float4 extent = r.centres.upper - r.centres.lower;
       for (int axis = 0; axis < 3; ++axis) {
         const float per_m = static_cast<float>(bins) / extent[axis];
@@ -188,16 +180,10 @@ class Builder {
       return measure_halves(r, at);
     }
     if (!median && r.size() <= max_small_split) return split_few(r);
-    const bool is_thorough = effort_ == Effort::thorough;
-    const Binning binning(r,
-                          r.size() < few ? few_bins : (is_thorough ? thorough_bins : quick_bins));
-    Split best;
-    if (!median && r.size() < few)
-      best = find_split<few_bins>(r, binning, 1);
-    else if (!median && is_thorough)
-      best = find_split<thorough_bins>(r, binning, 1);
-    else if (!median)
-      best = find_split<quick_bins>(r, binning, std::max(1u, r.size() / min_sample));
+    const Binning binning(r);
+    const Split best = median           ? Split{}
+                       : r.size() < few ? find_split<few_bins>(r, binning)
+                                        : find_split<max_bins>(r, binning);
     if (best.axis >= 0) {
       // As Binning::place, on one axis: truncation to below a whole number is being below it.
       const float lower = binning.lower[best.axis], scale = binning.scale[best.axis],
@@ -246,12 +232,11 @@ class Builder {
     return middle;
   }
 
-  // Finds the split with the smallest sum of area times weight over both halves, where every
-  // `stride`-th primitive counts.
+  // Finds the split with the smallest sum of area times weight over both halves.
   template <std::size_t bin_count>
-  Split find_split(const Range& r, const Binning& binning, std::uint32_t stride) const {
+  Split find_split(const Range& r, const Binning& binning) const {
     std::array<std::array<Bin, bin_count>, 3> bins;
-    for (std::uint32_t i = r.begin; i < r.end; i += stride) {
+    for (std::uint32_t i = r.begin; i < r.end; ++i) {
       const Bounds box = Access::bounds_of(primitives_[i]);
       const Int4 place = binning.place(box.centre());
       const std::uint32_t weight = Access::weight_of(primitives_[i]);
@@ -313,7 +298,6 @@ class Builder {
 
   std::span<Primitive> primitives_;
   std::uint32_t max_leaf_;
-  Effort effort_;
 };
 
 }  // namespace nightcity::hierarchy

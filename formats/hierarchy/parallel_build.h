@@ -32,8 +32,8 @@ class ParallelBuild {
   using Node = typename Nodes::Node;
   /// Appends to `nodes`.
   ParallelBuild(std::span<Primitive> primitives, std::uint32_t max_leaf, unsigned threads,
-                LargeVector<Node>& nodes, Effort effort = Effort::quick)
-      : builder_(primitives, max_leaf, effort),
+                LargeVector<Node>& nodes)
+      : builder_(primitives, max_leaf),
         count_(static_cast<std::uint32_t>(primitives.size())),
         threads_(threads),
         nodes_(nodes) {}

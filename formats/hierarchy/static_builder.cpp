@@ -157,9 +157,9 @@ std::optional<BuiltHierarchy> build(SceneTriangles& triangles, bool casts_shadow
   LargeVector<TrianglePiece> pieces = triangles.gather(frame, built.description);
   if (pieces.empty()) return std::nullopt;
   LargeVector<BareNode> nodes;
-  const Root root = ParallelBuild<PieceAccess<2>, BareNodes>(std::span(pieces), static_leaf,
-                                                             threads, nodes, Effort::thorough)
-                        .build(0, static_stack);
+  const Root root =
+      ParallelBuild<PieceAccess<2>, BareNodes>(std::span(pieces), static_leaf, threads, nodes)
+          .build(0, static_stack);
   LargeVector<std::uint32_t> order;
   order.reserve(built.description.triangles);
   for (const TrianglePiece& piece : pieces)

@@ -1,5 +1,4 @@
-// Builds the hierarchies of a scene's static triangles, as nightview does where a file has none, but
-// with more effort.
+// Builds the hierarchies of a scene's static triangles, as nightview does where a file has none.
 #pragma once
 
 #include <filesystem>

@@ -51,8 +51,7 @@ std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf) {
 }
 
 Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
-              std::span<const std::uint8_t> masks, unsigned threads,
-              hierarchy::Effort effort) {
+              std::span<const std::uint8_t> masks, unsigned threads) {
   check_sizes(boxes.size(), max_leaf, max_stack);
   std::vector<BoxAccess::Primitive> primitives;
   primitives.reserve(boxes.size());
@@ -60,8 +59,7 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
     primitives.push_back({to_bounds(boxes[i]), i, masks.empty() ? 0xFFu : masks[i]});
   Bvh bvh;
   const hierarchy::Root root =
-      Build<BoxAccess>(std::span(primitives), max_leaf, threads, bvh.nodes, effort)
-          .build(0, max_stack);
+      Build<BoxAccess>(std::span(primitives), max_leaf, threads, bvh.nodes).build(0, max_stack);
   bvh.root = root.node;
   bvh.stack_need = root.stack_need;
   bvh.order.reserve(primitives.size());
@@ -72,7 +70,7 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order,
-                   const hierarchy::BoxFrame& frame, hierarchy::Effort effort) {
+                   const hierarchy::BoxFrame& frame) {
   const std::size_t count = order.size();
   check_sizes(first + count, BVH_MAX_LEAF, UINT32_MAX);
   check_sizes(count, max_leaf, max_stack);
@@ -84,9 +82,8 @@ BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangl
       make_pieces(triangles, first, count, pairs, frame, threads, box);
   triangles.release_pages();  // from here on, only the pieces are needed
   const hierarchy::Root root =
-      pairs
-          ? Build<PieceAccess<2>>(pieces, max_leaf, threads, nodes, effort).build(from, max_stack)
-          : Build<PieceAccess<1>>(pieces, max_leaf, threads, nodes, effort).build(from, max_stack);
+      pairs ? Build<PieceAccess<2>>(pieces, max_leaf, threads, nodes).build(from, max_stack)
+            : Build<PieceAccess<1>>(pieces, max_leaf, threads, nodes).build(from, max_stack);
   auto at = order.begin();
   for (const TrianglePiece& piece : pieces)
     for (std::uint32_t i = 0; i < piece.count(); ++i) *at++ = from + piece.first() + i;

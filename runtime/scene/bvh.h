@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "formats/hierarchy/builder.h"
 #include "formats/large_vector.h"
 #include "runtime/scene/box.h"
 #include "runtime/scene/triangle_list.h"
@@ -30,8 +29,7 @@ struct Bvh {
 /// number of `threads`. Throws Error if medians alone are too deep (needed_stack), or for more than
 /// 134 million boxes.
 Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
-              std::span<const std::uint8_t> masks = {}, unsigned threads = 1,
-              hierarchy::Effort effort = hierarchy::Effort::quick);
+              std::span<const std::uint8_t> masks = {}, unsigned threads = 1);
 
 struct BvhRoot {
   std::uint32_t node = BVH_EMPTY;  // a node, a leaf, or BVH_EMPTY
@@ -46,8 +44,7 @@ struct BvhRoot {
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order,
-                   const hierarchy::BoxFrame& frame = {},
-                   hierarchy::Effort effort = hierarchy::Effort::quick);
+                   const hierarchy::BoxFrame& frame = {});
 
 /// Throws Error if a scene can not have as many triangles.
 void check_triangle_count(std::size_t count);

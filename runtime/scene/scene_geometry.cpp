@@ -31,11 +31,6 @@ struct TriangleRange {
   std::size_t first, end;
 };
 
-// Small hierarchies, as those of crowns, are built in no time, and rays meet them often.
-hierarchy::Effort effort_for(std::size_t primitives) {
-  return primitives <= 1 << 15 ? hierarchy::Effort::thorough : hierarchy::Effort::quick;
-}
-
 // What a user leaves out is no fault of the file's.
 void say_unused(RenderScene& scene, const std::string& fault) {
   if (scene.left_out.none())
@@ -62,7 +57,7 @@ std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& 
   }
   if (is_built)
     root = append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads,
-                      order, frame, effort_for(count));
+                      order, frame);
   if (count > 0)
     scene.meshes.push_back(
         {root.node, static_cast<std::uint32_t>(range.first), static_cast<std::uint32_t>(count)});
@@ -103,8 +98,7 @@ void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes, unsigned
   masks.reserve(out.instances.size());
   for (const gpu::Instance& instance : out.instances)
     masks.push_back(static_cast<std::uint8_t>(instance.mask));
-  Bvh top =
-      build_bvh(instance_boxes, 1, tlas_stack, masks, threads, effort_for(instance_boxes.size()));
+  Bvh top = build_bvh(instance_boxes, 1, tlas_stack, masks, threads);
   std::vector<gpu::Instance> ordered;
   ordered.reserve(top.order.size());
   for (const std::uint32_t i : top.order) ordered.push_back(out.instances[i]);

@@ -77,8 +77,7 @@ void expect_alike(const scene::RenderScene& a, const scene::RenderScene& b) {
   }
   EXPECT_EQ(a.dropped_triangles, b.dropped_triangles);
   EXPECT_EQ(a.instances.size(), b.instances.size());
-  // nightbake looks for better splits.
-  EXPECT_NEAR(double(a.nodes.size()), double(b.nodes.size()), 0.02 * double(a.nodes.size()));
+  EXPECT_EQ(a.nodes.size(), b.nodes.size());
   EXPECT_EQ(a.bounds.lower, b.bounds.lower);
   EXPECT_EQ(a.bounds.upper, b.bounds.upper);
   std::mt19937 random(4);
