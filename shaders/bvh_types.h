@@ -33,9 +33,9 @@ struct BvhNode {
 #define BVH_LEAF_COUNT_SHIFT 27
 #define BVH_LEAF_FIRST_MASK 0x07FFFFFFu  // 134 million triangles
 #define BVH_MAX_LEAF 8
-// Planes of boxes lie at least this part of a step farther out than what they bound. Traversal reads
-// a plane's byte b as 32768 + b, and 2^-9 of a step is lost where 32768 steps are taken off again,
-// and so much where they are multiplied.
+// Planes of boxes lie at least this part of a step farther out than what they bound. Traversal
+// reads a plane's byte b as 32768 + b: 2^-9 of a step is lost where 32768 steps are taken off
+// again, and as much where they are multiplied.
 #define BVH_MARGIN 0.0078125f
 #define BVH_STACK 80  // entries that a ray may defer; the builder keeps to it
 

@@ -35,8 +35,8 @@ vec3 turn_to_boxes(vec3 v) {
   return vec3(along.x * v.x + along.y * v.z, v.y, along.x * v.z - along.y * v.x);
 }
 
-// Returns 32768 + b for each byte b of a word: b is the second byte of such a float's bits. GPUs put
-// a byte in its place faster than they convert it.
+// Returns 32768 + b for each byte b of a word: b is the second byte of such a float's bits. GPUs
+// put a byte in its place faster than they convert it.
 vec4 biased_bytes(uint word) {
   return uintBitsToFloat(uvec4(bitfieldInsert(0x47000000u, word, 8, 8),
                                bitfieldInsert(0x47000000u, word >> 8u, 8, 8),
@@ -55,8 +55,8 @@ bvec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, 
                      float t_min, float t_max, out vec4 near) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
-  // The ray meets plane b of an axis at offset + (32768 + b) * stride. The stride is finite, because
-  // no scene is larger than max_coordinate_m (formats/finite.h).
+  // The ray meets plane b of an axis at offset + (32768 + b) * stride. The stride is finite,
+  // because no scene is larger than max_coordinate_m (formats/finite.h).
   const vec3 stride = size * ray.inverse;
   const vec3 offset = (origin - ray.origin) * ray.inverse - 32768.0 * stride;
   // Rounding moves a plane by parts of a step, for which the planes have BVH_MARGIN, and by a few

@@ -31,7 +31,8 @@ BvhNode quantised(Children c, vec3 lower, vec3 upper) {
     const float per_m = uintBitsToFloat(uint(127 - exponent) << 23u);
     node.exponents |= uint(exponent + 127) << (8u * axis);
     node.lower[axis] = node.upper[axis] = 0u;
-    node.origin[axis] = lower[axis] - 2.0 * BVH_MARGIN * uintBitsToFloat(uint(127 + exponent) << 23u);
+    const float step_m = uintBitsToFloat(uint(127 + exponent) << 23u);
+    node.origin[axis] = lower[axis] - 2.0 * BVH_MARGIN * step_m;
     for (uint i = 0u; i < 4u; ++i) {
       if (c.child[i] == BVH_EMPTY) continue;
       const float low = (c.lower[i][axis] - node.origin[axis]) * per_m - BVH_MARGIN,

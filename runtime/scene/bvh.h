@@ -38,8 +38,8 @@ struct BvhRoot {
 };
 
 /// Builds a BVH over the triangles from `first` on as build_bvh does, and appends its nodes to
-/// `nodes`, whose boxes are those of `frame`. `order`, which is as long as there are such triangles, gets the number of the triangle
-/// at each position of the leaves. Positions count from `first` on.
+/// `nodes`, whose boxes are those of `frame`. `order`, which is as long as there are such triangles,
+/// gets the number of the triangle at each position of the leaves. Positions count from `first` on.
 /// Two triangles that follow each other and share an edge, as halves of quads do, are not parted.
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,

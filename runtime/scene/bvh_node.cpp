@@ -80,8 +80,9 @@ gpu::BvhNode quantise_node(const Box& box, std::span<const BvhChild> children) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     const float corner = down(box.lower[axis]), top = up(box.upper[axis]);
-    // The smallest power of two of which 255 reach from the origin to the far side, margins included.
-    // The origin lies below the corner by two of them: a plane of 0 steps needs its margin too.
+    // The smallest power of two of which 255 reach from the origin to the far side, margins
+    // included. The origin lies below the corner by two of them: a plane of 0 steps needs its
+    // margin too.
     int exponent = std::clamp(exponent_of(std::max((top - corner) / 255.0f, 1e-30f)), -100, 120);
     const auto origin_of = [corner](int e) {
       return down(corner - 2.0f * BVH_MARGIN * power_of_two(e));
