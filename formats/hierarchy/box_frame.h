@@ -5,6 +5,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "formats/hierarchy/bounds.h"
 
@@ -22,7 +23,11 @@ struct BoxFrame {
   float margin_m = 0;     // by which its boxes are wider than what they hold
 
   bool is_turned() const { return along.y != 0 || along.x != 1; }
-  /// Returns a point of the scene in this frame.
+  /// Returns a point or a direction of the scene in this frame.
+  glm::dvec3 turn(const glm::dvec3& v) const {
+    const glm::dvec2 to(along);
+    return {to.x * v.x + to.y * v.z, v.y, to.x * v.z - to.y * v.x};
+  }
   Float4 turn(Float4 p) const {
     return Float4{along.x * p[0] + along.y * p[2], p[1], along.x * p[2] - along.y * p[0], 0};
   }

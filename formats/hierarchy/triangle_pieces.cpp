@@ -15,12 +15,11 @@ bool share_edge(const Corners& a, const Corners& b) {
   return shared >= 2;
 }
 
-// Returns whether two triangles are one piece, whose boxes these are.
-bool make_pair(const Corners& a, const Corners& b, const Bounds& of_a, const Bounds& of_b) {
-  if (!share_edge(a, b)) return false;
-  Bounds both = of_a;
-  both.grow(of_b);
-  return both.half_area() <= of_a.half_area() + of_b.half_area();
+// Returns whether the box of two triangles is no larger than both of their boxes together.
+bool is_compact(const Bounds& a, const Bounds& b) {
+  Bounds both = a;
+  both.grow(b);
+  return both.half_area() <= a.half_area() + b.half_area();
 }
 
 }  // namespace
@@ -30,9 +29,9 @@ void append_pieces(std::span<const Corners> chunk, bool pairs, std::uint32_t num
   for (std::size_t i = 0; i < chunk.size();) {
     Bounds box = frame.bounds_of(chunk[i]);
     std::uint32_t count = 1;
-    if (pairs && i + 1 < chunk.size()) {
+    if (pairs && i + 1 < chunk.size() && share_edge(chunk[i], chunk[i + 1])) {
       const Bounds next = frame.bounds_of(chunk[i + 1]);
-      if (make_pair(chunk[i], chunk[i + 1], box, next)) {
+      if (is_compact(box, next)) {
         box.grow(next);
         count = 2;
       }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "formats/parallel.h"
+#include "runtime/scene/alias_table.h"
 #include "runtime/scene/trace_ray.h"
 
 namespace nightcity::experiments {
@@ -17,37 +18,28 @@ constexpr int candidates = 24;           // lights
 constexpr double clearance_m = 1e-2;     // of shadow rays off their surface
 constexpr double short_of_light = 1e-3;  // share of the way at which they end before it
 
-// Chooses lights by flux.
-class LightDraw {
- public:
-  explicit LightDraw(const scene::RenderScene& scene) : scene_(scene) {
-    double sum = 0;
-    for (const Light& light : scene.lights) sums_.push_back(sum += double(light.flux_lm));
+// Returns the place of one of the candidates that are in front of a surface, which are drawn by
+// flux; nothing where all are behind it.
+std::optional<glm::dvec3> choose_light(const scene::RenderScene& scene,
+                                       std::span<const gpu::AliasEntry> by_flux,
+                                       const glm::dvec3& from, const glm::dvec3& normal,
+                                       std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::uniform_int_distribution<std::size_t> column(0, by_flux.size() - 1);
+  std::optional<glm::dvec3> chosen;
+  double sum = 0;
+  for (int i = 0; i < candidates; ++i) {
+    const std::size_t at = column(random);
+    const gpu::AliasEntry& entry = by_flux[at];
+    const std::size_t light = unit(random) < double(entry.keep) ? at : entry.alias;
+    const glm::dvec3 place(scene.lights[light].position), way = place - from;
+    if (!(glm::dot(way, normal) > 0)) continue;
+    const double weight = 1 / (glm::dot(way, way) + 1);
+    sum += weight;
+    if (unit(random) * sum < weight) chosen = place;
   }
-  bool has_any() const { return !sums_.empty() && sums_.back() > 0; }
-
-  std::optional<glm::dvec3> choose(const glm::dvec3& from, const glm::dvec3& normal,
-                                   std::mt19937& random) const {
-    std::uniform_real_distribution<double> unit(0, 1);
-    std::optional<glm::dvec3> chosen;
-    double sum = 0;
-    for (int i = 0; i < candidates; ++i) {
-      const auto at = std::upper_bound(sums_.begin(), sums_.end(), unit(random) * sums_.back());
-      if (at == sums_.end()) continue;
-      const glm::dvec3 place(scene_.lights[std::size_t(at - sums_.begin())].position),
-          way = place - from;
-      if (!(glm::dot(way, normal) > 0)) continue;
-      const double weight = 1 / (glm::dot(way, way) + 1);
-      sum += weight;
-      if (unit(random) * sum < weight) chosen = place;
-    }
-    return chosen;
-  }
-
- private:
-  const scene::RenderScene& scene_;
-  std::vector<double> sums_;
-};
+  return chosen;
+}
 
 }  // namespace
 
@@ -60,20 +52,18 @@ std::vector<gpu::ProbeRay> make_primary_rays(const scene::CameraPose& pose, std:
     for (std::uint32_t left = 0; left < width; left += square)
       for (std::uint32_t y = top; y < std::min(top + square, height); ++y)
         for (std::uint32_t x = left; x < std::min(left + square, width); ++x) {
-          const float sx = (float(x) + 0.5f) / float(width) * 2 - 1,
-                      sy = 1 - (float(y) + 0.5f) / float(height) * 2;
-          const glm::vec3 way =
-              camera.forward +
-              camera.tan_half_height * (sx * camera.aspect * camera.right + sy * camera.up);
-          rays.push_back({camera.position, 1e30f, glm::normalize(way), 0});
+          const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / glm::vec2(width, height) * 2.0f - 1.0f;
+          rays.push_back({camera.position, 1e30f, scene::direction_through(camera, place), 0});
         }
   return rays;
 }
 
 std::vector<gpu::ProbeRay> make_shadow_rays(const scene::RenderScene& scene,
                                             std::span<const gpu::ProbeRay> primary) {
-  const LightDraw lights(scene);
-  if (!lights.has_any()) return {};
+  std::vector<float> fluxes;
+  for (const Light& light : scene.lights) fluxes.push_back(light.flux_lm);
+  if (std::none_of(fluxes.begin(), fluxes.end(), [](float flux) { return flux > 0; })) return {};
+  const std::vector<gpu::AliasEntry> by_flux = scene::build_alias_table(fluxes);
   const std::size_t tasks = (primary.size() + at_once - 1) / at_once;
   std::vector<std::vector<gpu::ProbeRay>> parts(tasks);
   run_parallel(tasks, count_cores(), [&](std::size_t task) {
@@ -84,7 +74,7 @@ std::vector<gpu::ProbeRay> make_shadow_rays(const scene::RenderScene& scene,
       const auto hit = scene::trace_ray(scene, from, way, double(ray.t_max), MASK_VISIBLE);
       if (!hit) continue;
       const glm::dvec3 start = from + way * hit->distance + hit->normal * clearance_m;
-      const auto light = lights.choose(start, hit->normal, random);
+      const auto light = choose_light(scene, by_flux, start, hit->normal, random);
       if (!light) continue;
       parts[task].push_back(
           {glm::vec3(start), float(1 - short_of_light), glm::vec3(*light - start), 0});

@@ -88,6 +88,12 @@ gpu::Camera make_camera(const CameraPose& pose, float aspect) {
   return camera;
 }
 
+glm::vec3 direction_through(const gpu::Camera& camera, const glm::vec2& place) {
+  return glm::normalize(camera.forward +
+                        camera.right * (place.x * camera.tan_half_height * camera.aspect) -
+                        camera.up * (place.y * camera.tan_half_height));
+}
+
 CameraPose relative_to(const glm::dvec3& origin, const CameraPose& pose) {
   CameraPose result = pose;
   const glm::dvec3 step = pose.origin - origin;

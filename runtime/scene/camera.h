@@ -26,6 +26,10 @@ CameraPose relative_to(const glm::dvec3& origin, const CameraPose& pose);
 /// view, or the field of view is not in (0, 179] degrees.
 gpu::Camera make_camera(const CameraPose& pose, float aspect);
 
+/// Returns the unit direction of a perspective camera's ray through a place of its picture, -1 to 1
+/// to the right and downwards.
+glm::vec3 direction_through(const gpu::Camera& camera, const glm::vec2& place);
+
 /// Returns a preset's pose: "overview" (the lit part of the city, from the south-west), "street" (a
 /// pedestrian's view along a street) or "top" (a map). "street:NAME" is such a view along the
 /// street of that name, of which a part is enough (named_street_view.h). Text that begins with a

@@ -42,14 +42,8 @@ glm::dvec3 find_local_origin(const Scene& scene, const MeshSource& meshes,
   std::vector<glm::dvec3> middles;
   for (const SceneNode& node : scene.nodes) {
     if (node.vehicle != no_id || is_horizon(node) || meshes.bounds.at(node.mesh).empty()) continue;
-    const Box& box = meshes.bounds[node.mesh];
-    const glm::dvec3 lower(box.lower), upper(box.upper);
     for (const SceneInstance& instance : node.instances) {
-      const glm::dmat4 to_model = to_double(instance);
-      const glm::dvec3 middle(to_model * glm::dvec4((lower + upper) / 2.0, 1));
-      glm::dvec3 half(0);
-      for (int axis = 0; axis < 3; ++axis)
-        half += glm::abs(glm::dvec3(to_model[axis])) * ((upper[axis] - lower[axis]) / 2);
+      const auto [middle, half] = place_box(meshes.bounds[node.mesh], instance);
       if (!is_finite(middle) || !is_finite(half)) continue;
       placed.count(largest(glm::abs(middle) - half) <= max_reach_m);
       middles.push_back(middle);

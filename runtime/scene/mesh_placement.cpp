@@ -1,8 +1,18 @@
 #include "runtime/scene/mesh_placement.h"
 
+#include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 
 namespace nightcity::scene {
+
+PlacedBox place_box(const Box& box, const SceneInstance& instance) {
+  const glm::dvec3 lower(box.lower), upper(box.upper);
+  const glm::dmat4 to_model = to_double(instance);
+  PlacedBox placed{glm::dvec3(to_model * glm::dvec4((lower + upper) / 2.0, 1)), glm::dvec3(0)};
+  for (int axis = 0; axis < 3; ++axis)
+    placed.half += glm::abs(glm::dvec3(to_model[axis])) * ((upper[axis] - lower[axis]) / 2);
+  return placed;
+}
 
 MeshPlacement::MeshPlacement(const Scene& scene, const MeshSource& meshes,
                              const GeometryFilter& filter, const glm::dvec3& origin,

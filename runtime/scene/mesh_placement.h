@@ -23,6 +23,13 @@ struct GeometryFilter {
 
 using hierarchy::is_horizon;
 
+/// The box of a mesh where an instance stands, in model space, m.
+struct PlacedBox {
+  glm::dvec3 middle, half;  // half: of its sides
+};
+/// `box` is that of the mesh in its own frame, and not empty.
+PlacedBox place_box(const Box& box, const SceneInstance& instance);
+
 class MeshPlacement {
  public:
   /// Keeps references to `scene` and `filter`. `origin` is that of the triangles, in model space. The

@@ -109,11 +109,9 @@ std::optional<RayHit> trace_ray(const RenderScene& scene, const glm::dvec3& orig
     };
     const Ray local = make_ray(apply(origin, 1), apply(direction, 0));
     const bool is_turned = (instance.mask & MASK_TURNED) != 0;
-    const auto turn = [&](const glm::dvec3& v) {
-      const glm::dvec2 along(scene.boxes_along);
-      return glm::dvec3(along.x * v.x + along.y * v.z, v.y, along.x * v.z - along.y * v.x);
-    };
-    const Ray in_boxes = is_turned ? make_ray(turn(local.origin), turn(local.direction)) : local;
+    const hierarchy::BoxFrame frame{scene.boxes_along};
+    const Ray in_boxes =
+        is_turned ? make_ray(frame.turn(local.origin), frame.turn(local.direction)) : local;
     traverse(scene, instance.root, in_boxes, ~0u, t_max,
              [&](std::uint32_t first, std::uint32_t count) {
                for (std::uint32_t position = first; position < first + count; ++position) {

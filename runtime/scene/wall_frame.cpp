@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/mat4x4.hpp>
 #include <span>
 
 #include "formats/hierarchy/wall_directions.h"
@@ -31,17 +30,11 @@ double find_reach(const Scene& scene, const MeshSource& meshes, const MeshPlacem
     const SceneNode& node = scene.nodes[i];
     if (placement.is_skipped(i) || is_horizon(node) || meshes.bounds.at(node.mesh).empty())
       continue;
-    const glm::dvec3 lower(meshes.bounds[node.mesh].lower), upper(meshes.bounds[node.mesh].upper);
     for (const SceneInstance& instance : node.instances) {
-      const glm::dmat4 to_model = to_double(instance);
-      const glm::dvec3 middle(to_model * glm::dvec4((lower + upper) / 2.0, 1));
-      for (int axis = 0; axis < 3; ++axis) {
-        double half = 0;
-        for (int of_mesh = 0; of_mesh < 3; ++of_mesh)
-          half += std::abs(to_model[of_mesh][axis]) * (upper[of_mesh] - lower[of_mesh]) / 2;
-        const double far = std::abs(middle[axis] - origin[axis]) + half;
-        if (std::isfinite(far)) reach = std::max(reach, far);
-      }
+      const auto [middle, half] = place_box(meshes.bounds[node.mesh], instance);
+      const glm::dvec3 farthest = glm::abs(middle - origin) + half;
+      for (int axis = 0; axis < 3; ++axis)
+        if (std::isfinite(farthest[axis])) reach = std::max(reach, farthest[axis]);
     }
   }
   return reach;

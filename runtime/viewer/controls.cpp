@@ -99,11 +99,8 @@ void scroll(CameraControl& control, const Hands& hands, const scene::RenderScene
 
 glm::vec3 direction_through(const scene::CameraPose& pose, const glm::vec2& pixel,
                             const glm::vec2& size) {
-  const gpu::Camera camera = scene::make_camera(pose, size.x / size.y);
-  const glm::vec2 screen = pixel / size * 2.0f - 1.0f;
-  return glm::normalize(camera.forward +
-                        camera.right * (screen.x * camera.tan_half_height * camera.aspect) -
-                        camera.up * (screen.y * camera.tan_half_height));
+  return scene::direction_through(scene::make_camera(pose, size.x / size.y),
+                                  pixel / size * 2.0f - 1.0f);
 }
 
 std::optional<glm::vec3> find_point(const scene::RenderScene& scene, const scene::CameraPose& pose,

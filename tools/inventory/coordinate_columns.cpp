@@ -60,14 +60,21 @@ constexpr std::array<string_view, 42> qualifiers{
     "pos",         "point",      "location",    "loc",        "centroid",    "center",
     "centre",      "map",        "grid",        "gis",        "lv95",        "m"};
 
+// Each place where words may end is looked at once, however many ways lead there.
 bool are_qualifiers(string_view text) {
-  if (text.empty()) return true;
-  for (const string_view word : qualifiers)
-    if (text.starts_with(word) && are_qualifiers(text.substr(word.size()))) return true;
-  // The number of a CRS.
-  constexpr std::size_t least = 4, most = 6;
-  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-  return digits >= least && digits <= most && are_qualifiers(text.substr(digits));
+  std::vector<bool> ends(text.size() + 1);
+  ends[0] = true;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (!ends[at]) continue;
+    const string_view rest = text.substr(at);
+    for (const string_view word : qualifiers)
+      if (rest.starts_with(word)) ends[at + word.size()] = true;
+    // The number of a CRS.
+    constexpr std::size_t least = 4, most = 6;
+    const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    if (digits >= least && digits <= most) ends[at + digits] = true;
+  }
+  return ends.back();
 }
 
 // Returns a column's name in lower case without blanks and signs, nor what stands in brackets.

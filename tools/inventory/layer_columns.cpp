@@ -1,5 +1,6 @@
 #include "tools/inventory/layer_columns.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string_view>
@@ -87,9 +88,12 @@ void use_decimal_point(std::string& text) {
 
 std::string list_columns(const OGRLayer& layer) {
   const OGRFeatureDefn& columns = *const_cast<OGRLayer&>(layer).GetLayerDefn();
+  constexpr int most = 50;  // more are no help, and tables may have as many as GDAL reads, 2,000
+  const int count = columns.GetFieldCount();
   std::string names;
-  for (int i = 0; i < columns.GetFieldCount(); ++i)
+  for (int i = 0; i < std::min(count, most); ++i)
     names += std::string(i > 0 ? ", \"" : "\"") + columns.GetFieldDefn(i)->GetNameRef() + "\"";
+  if (count > most) names += " and " + std::to_string(count - most) + " more";
   return names.empty() ? "none" : city::decode_text(std::move(names));
 }
 

@@ -13,7 +13,8 @@
 
 namespace nightcity::inventory {
 
-/// Returns the names of the layer's columns, each in quotation marks.
+/// Returns the names of the layer's first columns, each in quotation marks, and how many more it
+/// has.
 std::string list_columns(const OGRLayer& layer);
 
 class LayerColumns {

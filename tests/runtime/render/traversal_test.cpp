@@ -89,6 +89,17 @@ TEST(Traversal, HoldsFarFromTheOrigin) {
                                  {{7985, 12, 8015}, {8000, 2, 8000}, {0, 1, 0}, 50}, 64);
 }
 
+// Rays are turned with errors that grow with the coordinates, for which turned boxes have a margin.
+TEST(Traversal, HoldsFarFromTheOriginInATownAtAnAngle) {
+  SceneBuilder builder = turned(random_town(60, 60, 7), 33);
+  const glm::vec3 far(15'000, 0, -9000);
+  for (glm::vec3& p : builder.scene().meshes[0].primitives[0].positions) p += far;
+  const scene::RenderScene scene = builder.with({});
+  EXPECT_NE(scene.boxes_along, glm::vec2(1, 0));
+  expect_depths_like_brute_force(
+      scene, {far + glm::vec3(-70, 35, 80), far + glm::vec3(0, 5, 0), {0, 1, 0}, 50}, 96);
+}
+
 TEST(Traversal, RaysAlongAnAxisHitWhatTheyShould) {
   // The camera looks exactly down -Z; the middle row and column have zero components.
   const scene::RenderScene scene = random_town(30, 40, 3).with({});
