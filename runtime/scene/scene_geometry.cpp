@@ -11,6 +11,7 @@
 
 #include "formats/finite.h"
 #include "formats/hierarchy/static_geometry.h"
+#include "runtime/scene/local_origin.h"
 #include "runtime/scene/parts.h"
 #include "runtime/scene/stored_bvh.h"
 #include "runtime/scene/wall_frame.h"
@@ -194,12 +195,13 @@ hierarchy::BoxFrame find_frame(const RenderScene& out, const Scene& scene, const
       out.origin == glm::dvec3(0) && !all.empty()
           ? all.front().along
           : find_wall_direction(out.triangles, stored.merged[0].first, stored.merged[0].end);
+  if (!frame.is_turned()) return frame;
   // A ray is turned with errors of 2^-22 of the coordinates on its way, and may come from as far
-  // away as four times the scene's size.
+  // away as four times the scene's size. One thing astray would make all boxes wide.
   constexpr double per_reach = 0x1p-19;
-  if (frame.is_turned())
-    frame.margin_m =
-        static_cast<float>(per_reach * find_reach(scene, meshes, placement, out.origin));
+  const double reach = find_reach(scene, meshes, placement, out.origin);
+  if (reach > max_reach_m) return {};
+  frame.margin_m = static_cast<float>(per_reach * reach);
   return frame;
 }
 

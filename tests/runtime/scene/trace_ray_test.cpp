@@ -43,6 +43,15 @@ TEST(TraceRay, MeetsTheSameInATownAtAnAngle) {
   expect_hits_like_brute_force(scene);
 }
 
+// A margin for such coordinates would make every box as wide as the town.
+TEST(TraceRay, TurnsNoBoxesWhereOneThingIsAstray) {
+  SceneBuilder builder = turned(random_town(60, 80, 3), 33);
+  builder.box({3e8f, 0, 0}, {3e8f + 1000, 900, 1000});
+  const scene::RenderScene scene = builder.with({});
+  EXPECT_EQ(scene.boxes_along, glm::vec2(1, 0));
+  expect_hits_like_brute_force(scene);
+}
+
 TEST(TraceRay, TellsTheNormalOfAGroundAndOfAWall) {
   const scene::RenderScene scene = SceneBuilder().ground(50).box({5, 0, -5}, {6, 9, 5}).with({});
   const auto down = scene::trace_ray(scene, {0, 3, 0}, {0, -1, 0}, 100, MASK_VISIBLE);

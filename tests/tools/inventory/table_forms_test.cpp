@@ -86,7 +86,7 @@ TEST(TableForms, LengthsAndLabelsAreNoCoordinates) {
         << names;
 }
 
-// Names in which words begin and end in many ways, of a table with as many as GDAL nearly lets it have.
+// Names that words fit in many ways, of nearly as many columns as GDAL reads (2,000).
 TEST(TableForms, ManyColumnsAreLookedAtInNoTimeAndNotAllNamed) {
   const TempFolder folder;
   std::string names = "ID", values = "a";
