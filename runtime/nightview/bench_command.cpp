@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "formats/median.h"
@@ -15,6 +16,8 @@
 #include "runtime/experiments/experiment.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/render_options.h"
+#include "runtime/render/copy_speed.h"
+#include "runtime/render/record_traffic.h"
 #include "runtime/render/renderer.h"
 
 namespace nightcity::nightview {
@@ -34,6 +37,26 @@ struct FrameTimes {
   std::vector<double> display;       // showing the picture through an eye, where the settings do
   double shadow_rays_per_pixel = 0;  // of a frame after the timed ones
 };
+
+// The least that each pass of a frame moves in memory, and how fast the device copies.
+struct MemoryTraffic {
+  std::map<std::string, double> bytes;  // of a frame; passes without a bound are absent
+  double copied_per_s = 0;              // bytes; 0 = not known
+
+  // Returns the milliseconds in which the device copies as much, nothing where either is unknown.
+  std::optional<double> find_least_ms(const std::string& pass) const {
+    const auto found = bytes.find(pass);
+    if (found == bytes.end() || copied_per_s <= 0) return std::nullopt;
+    return found->second / copied_per_s * 1000;
+  }
+};
+
+MemoryTraffic find_traffic(gpu::Device& device, const RenderOptions& options) {
+  MemoryTraffic traffic{{}, render::measure_copy_speed(device)};
+  for (const auto& [pass, bytes] : render::find_record_bytes(options.settings))
+    traffic.bytes[pass] = double(bytes) * options.width * options.height;
+  return traffic;
+}
 
 struct Spread {
   double min, median, max;
@@ -146,7 +169,8 @@ nlohmann::ordered_json to_json(const std::vector<double>& ms) {
 }
 
 void print_as_json(const RenderOptions& options, const scene::RenderScene& scene,
-                   const gpu::Device& device, std::size_t scene_bytes, const FrameTimes& times) {
+                   const gpu::Device& device, std::size_t scene_bytes, const FrameTimes& times,
+                   const MemoryTraffic& traffic) {
   nlohmann::ordered_json json{{"device", device.label()},
                               {"driver", device.info().driver},
                               {"scene", options.scene},
@@ -165,25 +189,38 @@ void print_as_json(const RenderOptions& options, const scene::RenderScene& scene
   if (!times.display.empty()) json["display_ms"] = to_json(times.display);
   for (const std::string& name : times.order)
     json["passes_ms"][name] = to_json(times.passes.at(name));
+  json["copied_bytes_per_s"] = traffic.copied_per_s;
+  for (const std::string& name : times.order)
+    if (traffic.bytes.count(name)) json["record_bytes"][name] = traffic.bytes.at(name);
   program::print_json(json);
 }
 
 void print_as_table(const RenderOptions& options, const scene::RenderScene& scene,
-                    const gpu::Device& device, const FrameTimes& times) {
+                    const gpu::Device& device, const FrameTimes& times,
+                    const MemoryTraffic& traffic) {
   fmt::print("{}: {} triangles, {} lights, {}x{}, {} on {}\n", options.scene,
              scene.triangles.size(), scene.lights.size(), options.width, options.height,
              render::name_of(options.settings.sampling.estimator), device.label());
-  fmt::print("{:<12} {:>10} {:>10} {:>10}   ms of {} frames\n", "pass", "min", "median", "max",
-             times.gpu.size());
-  const auto print_row = [](const std::string& name, const std::vector<double>& ms) {
+  fmt::print("{:<15} {:>10} {:>10} {:>10} {:>10} {:>10}   ms of {} frames\n", "pass", "min",
+             "median", "max", "MB", "copied in", times.gpu.size());
+  const auto print_row = [&](const std::string& name, const std::vector<double>& ms) {
     const Spread s = spread(ms);
-    fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", name, s.min, s.median, s.max);
+    fmt::print("{:<15} {:>10.3f} {:>10.3f} {:>10.3f}", name, s.min, s.median, s.max);
+    const auto bytes = traffic.bytes.find(name);
+    if (bytes != traffic.bytes.end()) fmt::print(" {:>10.1f}", bytes->second / 1e6);
+    if (const auto least = traffic.find_least_ms(name)) fmt::print(" {:>10.3f}", *least);
+    fmt::print("\n");
   };
   for (const std::string& name : times.order) print_row(name, times.passes.at(name));
   print_row("GPU", times.gpu);
   print_row("wall clock", times.wall);
   if (!times.display.empty()) print_row("display", times.display);
   fmt::print("{:.2f} shadow rays per pixel\n", times.shadow_rays_per_pixel);
+  if (traffic.copied_per_s > 0)
+    fmt::print(
+        "MB: the records of pixels that a pass reads and writes, each once; the device copies "
+        "{:.3g} GB/s\n",
+        traffic.copied_per_s / 1e9);
 }
 
 void bench(BenchCommand& command) {
@@ -202,12 +239,13 @@ void bench(BenchCommand& command) {
   times.shadow_rays_per_pixel = count_shadow_rays(renderer, pose, options.settings);
   if (render::has_eye(options.settings.display))
     times.display = time_display(renderer, options.settings.display);
+  const MemoryTraffic traffic = find_traffic(device, options);
   device.check_validation();
   if (command.json) {
-    print_as_json(options, scene, device, device_scene.bytes(), times);
+    print_as_json(options, scene, device, device_scene.bytes(), times, traffic);
     return;
   }
-  print_as_table(options, scene, device, times);
+  print_as_table(options, scene, device, times, traffic);
   if (!command.forced) return;
   price_forced_features(command, renderer, pose);
   price_display(options.settings.display, renderer);

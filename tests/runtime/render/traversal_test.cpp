@@ -77,8 +77,9 @@ TEST(Traversal, ATownIsLitTheSameAtAnyAngle) {
   };
   const measure::Image truth = picture(0, true);
   EXPECT_LT(measure::compare(picture(33, true), truth).rmse8, 1);
-  if (test_device().trace() == gpu::Trace::compute)  // which alone goes through our boxes
+  if (test_device().trace() == gpu::Trace::compute) {  // which alone goes through our boxes
     EXPECT_GT(measure::compare(picture(33, false), truth).rmse8, 10) << "nodes that are misread";
+  }
 }
 
 TEST(Traversal, HoldsFarFromTheOrigin) {
