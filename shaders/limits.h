@@ -5,6 +5,7 @@
 
 #define WORKGROUP_SIZE 8  // a pass over pixels runs in groups of 8 x 8
 #define WORKGROUP_ROW 64  // a pass over a list runs in groups of 64
+#define COPIED_WORDS 8    // of 16 bytes, by an invocation of copy_memory.comp
 
 #define MAX_NEIGHBOURS 32u  // pixels that one pixel reuses at most: the size of an array
 

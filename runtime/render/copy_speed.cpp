@@ -9,17 +9,17 @@
 #include "runtime/gpu/timer.h"
 #include "runtime/render/pass_constants.h"
 #include "shaders/frame.h"
-#include "spirv/copy_records.h"
+#include "spirv/copy_memory.h"
 
 namespace nightcity::render {
 
 double measure_copy_speed(gpu::Device& device) {
-  // As many as one dispatch may have: 128 MiB, more than caches of a GPU hold. Those of a CPU hold
-  // less than an eighth.
+  // As many as one dispatch may have: 512 MiB, more than caches of a GPU hold. Those of a CPU hold
+  // less than 32.
   constexpr std::uint32_t most = 65535u * WORKGROUP_ROW;
-  const std::uint32_t records = device.info().kind == "cpu" ? most / 8 : most;
+  const std::uint32_t invocations = device.info().kind == "cpu" ? most / 16 : most;
   constexpr int tries = 9;
-  const std::size_t bytes = std::size_t{records} * sizeof(gpu::Accumulation);
+  const std::size_t bytes = std::size_t{invocations} * COPIED_WORDS * 16;
   gpu::Buffer from(device, bytes), to(device, bytes);
   from.fill_zero();
   to.fill_zero();
@@ -28,15 +28,15 @@ double measure_copy_speed(gpu::Device& device) {
   frame.accumulation = to.address();
   gpu::Buffer frame_buffer(device, sizeof frame, gpu::Memory::host);
   frame_buffer.upload(&frame, sizeof frame);
-  const gpu::ComputePass pass(device, copy_records_spirv, PassConstants{}, sizeof(gpu::Push),
+  const gpu::ComputePass pass(device, copy_memory_spirv, PassConstants{}, sizeof(gpu::Push),
                               {WORKGROUP_ROW, 1});
-  const gpu::Push push{frame_buffer.address(), 0, records};
+  const gpu::Push push{frame_buffer.address(), 0, invocations};
   gpu::Timer timer(device);
   std::vector<double> ms;
   for (int i = 0; i < tries; ++i) {
     device.run([&](VkCommandBuffer commands) {
       timer.start(commands);
-      pass.dispatch(commands, &push, records);
+      pass.dispatch(commands, &push, invocations);
       timer.mark(commands, "copy");
     });
     const auto spans = timer.collect();
