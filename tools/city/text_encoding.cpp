@@ -10,6 +10,7 @@ namespace nightcity::city {
 namespace {
 
 constexpr char32_t replacement = 0xFFFD;
+constexpr std::size_t looked_at_bytes = 32;  // for zeros in every second place
 constexpr std::size_t block_bytes = std::size_t{1} << 16;
 
 void append_utf8(char32_t c, std::string& out) {
@@ -142,12 +143,26 @@ std::size_t find_invalid(std::string_view text) {
   return sound;
 }
 
+// Returns whether zeros are every second of the first bytes, from `first` on, and none of the
+// others is a control character: so does text in UTF-16 whose first letters are Latin.
+bool alternates(std::string_view start, std::size_t first) {
+  const std::string_view looked_at = start.substr(0, looked_at_bytes);
+  if (looked_at.size() < looked_at_bytes / 2 || looked_at.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < looked_at.size(); ++i) {
+    const char c = looked_at[i];
+    const bool is_control = static_cast<std::uint8_t>(c) < ' ';
+    if (i % 2 == first ? c != 0 : is_control && c != '\t' && c != '\r' && c != '\n') return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool begins_as_utf16(std::string_view start) {
   using namespace std::string_view_literals;
   return start.starts_with("\xff\xfe"sv) || start.starts_with("\xfe\xff"sv) ||
-         start.starts_with("<\0"sv) || start.starts_with("\0<"sv);
+         start.starts_with("<\0"sv) || start.starts_with("\0<"sv) || alternates(start, 0) ||
+         alternates(start, 1);
 }
 
 bool begins_as_utf32(std::string_view start) {
@@ -157,7 +172,7 @@ bool begins_as_utf32(std::string_view start) {
 }
 
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
-  std::string start(4, '\0');
+  std::string start(looked_at_bytes, '\0');
   std::size_t size = 0;
   while (size < start.size()) {
     const std::size_t got = source->read(start.data() + size, start.size() - size);

@@ -9,8 +9,8 @@
 
 namespace nightcity::city {
 
-/// Returns whether a document's first bytes are UTF-16: a byte order mark, or '<' beside a zero
-/// byte (XML 1.0, appendix F).
+/// Returns whether a document's first bytes are UTF-16: a byte order mark, '<' beside a zero byte
+/// (XML 1.0, appendix F), or 16 bytes or more with zeros in every second place of Latin text.
 bool begins_as_utf16(std::string_view start);
 /// The same for UTF-32, whose byte order mark begins with that of UTF-16.
 bool begins_as_utf32(std::string_view start);
