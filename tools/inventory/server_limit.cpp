@@ -27,9 +27,12 @@ std::optional<std::uint64_t> find_count(std::string_view text, std::string_view 
   return error == std::errc() ? std::optional(count) : std::nullopt;
 }
 
-// Returns the beginning and the end of a file, where servers write what they say about the whole.
+constexpr const char* remedy = ": ask it for the others, and name each file";
+
+}  // namespace
+
 std::string read_edges(const std::string& path) {
-  constexpr vsi_l_offset edge = vsi_l_offset{1} << 16;
+  constexpr vsi_l_offset edge = edge_bytes;
   VSILFILE* const file = VSIFOpenL(path.c_str(), "rb");
   if (!file) return {};
   VSIFSeekL(file, 0, SEEK_END);
@@ -45,10 +48,6 @@ std::string read_edges(const std::string& path) {
   VSIFCloseL(file);
   return got == text.size() ? text : std::string();
 }
-
-constexpr const char* remedy = ": ask it for the others, and name each file";
-
-}  // namespace
 
 std::string say_part_of_rows(std::string_view key) {
   return "the server sent a part of its rows (" + std::string(key) + ")" + remedy;

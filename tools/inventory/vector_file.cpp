@@ -16,6 +16,7 @@
 #include "tools/city/foreign_format.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/geojson_crs.h"
 #include "tools/inventory/json_table.h"
 #include "tools/inventory/packed_table.h"
 #include "tools/inventory/table_text.h"
@@ -215,6 +216,7 @@ VectorFile open_vector_file(const InventoryFile& inventory) {
   out.dataset = open_dataset((is_marked_json(start) ? "/vsisubfile/3," : "") + out.path, options);
   const std::string said = CPLGetLastErrorMsg();
   if (out.dataset) out.format = out.dataset->GetDriver()->GetDescription();
+  if (out.format == "GeoJSON") out.crs = find_odd_crs(out.path);
   if (out.dataset && !is_empty_json(out)) return out;
   std::string why;
   if (begins_as_json(start)) why = open_json(inventory, out);

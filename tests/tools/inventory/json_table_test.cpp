@@ -184,6 +184,31 @@ TEST(JsonTable, WhatIsNoTableIsNamed) {
             std::string::npos);
 }
 
+// The member named crs by GDAL's rules has the name of one; PROJJSON and a text were WGS 84 to it.
+TEST(JsonTable, TheCrsOfAGeoJsonMayBePROJJSONOrAText) {
+  const auto place = [](const std::string& before, const std::string& of_row) {
+    const Inventory read = read_json_file(
+        "{" + before +
+            R"("type":"FeatureCollection","features":[{"type":"Feature","properties":{)" + of_row +
+            R"(},"geometry":{"type":"Point","coordinates":[391020,5819010]}}]})",
+        "");
+    return read.lamps.at(0).lon_lat;
+  };
+  for (const char* system :
+       {R"("EPSG:25833")",
+        R"({"type":"ProjectedCRS","name":"x","id":{"authority":"EPSG","code":25833}})",
+        R"({"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25833"}})"}) {
+    const std::string crs = "\"crs\":" + std::string(system);
+    EXPECT_NEAR(place(crs + ",", R"("crs":"EPSG:3857")").x, 13.394162598, 1e-7) << system;
+    EXPECT_NEAR(place(crs + ",", "").y, 52.510303463, 1e-7) << system;
+  }
+  const Inventory degrees = read_json_file(
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"Point",
+          "coordinates":[13.4,52.5]},"properties":{"crs":"EPSG:3857"}}]})",
+      "");
+  EXPECT_EQ(degrees.lamps.at(0).lon_lat, glm::dvec2(13.4, 52.5)) << "a row's own column";
+}
+
 TEST(JsonTable, ItsColumnsAreGuessedAsThoseOfOtherTables) {
   const TempFolder folder;
   write_text(folder / "lamps.json", R"([{"POLE_ID":"a","lat":52.5,"lon":13.4,"Wattage":70}])");
