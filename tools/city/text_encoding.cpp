@@ -32,14 +32,14 @@ void append_utf8(char32_t c, std::string& out) {
   }
 }
 
-/// Passes a document on whose first bytes have been read already.
+/// Passes a document on whose first bytes have been read already; without a rest these are all.
 class ResumedSource : public ByteSource {
  public:
   ResumedSource(std::string start, std::unique_ptr<ByteSource> rest)
       : start_(std::move(start)), rest_(std::move(rest)) {}
 
   std::size_t read(char* out, std::size_t size) override {
-    if (at_ == start_.size()) return rest_->read(out, size);
+    if (at_ == start_.size()) return rest_ ? rest_->read(out, size) : 0;
     const std::size_t n = std::min(size, start_.size() - at_);
     std::memcpy(out, start_.data() + at_, n);
     at_ += n;
@@ -186,6 +186,19 @@ std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
   if (!utf16 && !utf32) return whole;
   return std::make_unique<WideSource>(std::move(whole), utf32 ? UnitBytes::four : UnitBytes::two,
                                       big_endian);
+}
+
+std::string to_utf8(std::string text) {
+  if (!begins_as_utf16(text) && !begins_as_utf32(text)) return text;
+  const auto source = to_utf8(std::make_unique<ResumedSource>(std::move(text), nullptr));
+  std::string out;
+  for (std::size_t end = 0, size = 0;; end += size) {
+    out.resize(end + block_bytes);
+    size = source->read(out.data() + end, block_bytes);
+    if (size > 0) continue;
+    out.resize(end);
+    return out;
+  }
 }
 
 std::string decode_text(std::string text) {

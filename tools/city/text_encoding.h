@@ -19,6 +19,9 @@ bool begins_as_utf32(std::string_view start);
 /// passes through. Halves of surrogate pairs that stand alone become U+FFFD.
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source);
 
+/// Returns the same of a whole text.
+std::string to_utf8(std::string text);
+
 /// Returns a text in UTF-8: as it is where it is valid, else taken as Windows-1252, which holds
 /// ISO 8859-1.
 std::string decode_text(std::string text);

@@ -115,8 +115,8 @@ class RowReader {
     for (const auto& [key, value] : members) {
       const std::string name(key);
       object inner;
-      const bool is_wrapping =
-          depth == 0 && (name == "properties" || name == "attributes" || name == "fields");
+      const bool is_wrapping = depth == 0 && (name == "properties" || name == "attributes" ||
+                                              name == "fields" || name == "_source");
       if (is_wrapping && value.get(inner) == simdjson::SUCCESS)
         read_members(inner, "", 1);
       else

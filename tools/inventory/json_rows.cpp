@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/city/text_encoding.h"
 #include "tools/cityjson/json.h"
 
 namespace nightcity::inventory {
@@ -38,7 +39,7 @@ bool is_list_of_texts(const array& list) {
 }  // namespace
 
 JsonRows::JsonRows(std::string text, std::string file)
-    : text_(std::move(text)), file_(std::move(file)) {
+    : text_(city::decode_text(std::move(text))), file_(std::move(file)) {
   if (text_.starts_with("\xef\xbb\xbf")) std::fill_n(text_.begin(), 3, ' ');
   element root;
   const simdjson::error_code error = parser_.parse(text_).get(root);
@@ -81,26 +82,30 @@ void JsonRows::take_list(const array& rows) {
 
 // Servers put their rows into a member, of which "result" and the like are the wrapping of CKAN and
 // others.
+JsonRows::Lists JsonRows::list_lists(const object& in, int depth) {
+  constexpr std::array<std::string_view, 12> wrappings{"result",    "results", "response", "data",
+                                                       "d",         "payload", "body",     "items",
+                                                       "_embedded", "content", "hits",     "root"};
+  constexpr int deepest = 4;
+  Lists lists;
+  for (const auto& [name, value] : in)
+    if (array list; value.get(list) == simdjson::SUCCESS &&
+                    (is_list_of_objects(list) || is_list_of_lists(list)))
+      lists.emplace_back(name, list);
+  wrapper_ = in;
+  for (const std::string_view wrapping : wrappings)
+    if (const auto inside = find_object(in, wrapping); inside && lists.empty() && depth < deepest)
+      lists = list_lists(*inside, depth + 1);
+  if (lists.empty()) wrapper_ = in;
+  return lists;
+}
+
 void JsonRows::find_in_object(const object& whole) {
   constexpr std::array<std::string_view, 9> usual{
       "features", "results", "records", "rows", "items", "data", "value", "elements", "docs"};
-  constexpr std::array<std::string_view, 8> wrappings{
-      "result", "response", "data", "d", "payload", "body", "_embedded", "content"};
-  whole_ = wrapper_ = whole;
+  whole_ = whole;
   has_wrapper_ = true;
-  std::vector<std::pair<std::string, array>> lists;
-  const auto look_into = [&](const object& in) {
-    for (const auto& [name, value] : in)
-      if (array list; value.get(list) == simdjson::SUCCESS &&
-                      (is_list_of_objects(list) || is_list_of_lists(list)))
-        lists.emplace_back(name, list);
-  };
-  look_into(whole);
-  for (const std::string_view wrapping : wrappings)
-    if (const auto inside = find_object(whole, wrapping); inside && lists.empty()) {
-      look_into(*inside);
-      if (!lists.empty()) wrapper_ = *inside;
-    }
+  Lists lists = list_lists(whole, 0);
   for (const std::string_view name : usual) {
     const auto list = find_array(wrapper_, name);
     if (!list || (list->size() > 0 && !is_list_of_objects(*list) && !is_list_of_lists(*list)))

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace nightcity::inventory {
@@ -38,7 +39,10 @@ class JsonRows {
  private:
   bool begins_in_lines() const;
   void take_list(const simdjson::dom::array& rows);
-  void find_in_object(const simdjson::dom::object& object);
+  using Lists = std::vector<std::pair<std::string, simdjson::dom::array>>;
+  void find_in_object(const simdjson::dom::object& whole);
+  // Returns the lists in an object or in what wraps them there, which becomes the wrapper.
+  Lists list_lists(const simdjson::dom::object& in, int depth);
   void take_columns(const simdjson::dom::object& beside);
 
   std::string text_, file_, why_none_;

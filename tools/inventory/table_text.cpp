@@ -1,5 +1,6 @@
 #include "tools/inventory/table_text.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "formats/to_lower.h"
@@ -29,6 +30,21 @@ bool begins_with_blank_line(std::string_view text) {
   if (text.starts_with(utf8_mark)) text.remove_prefix(utf8_mark.size());
   const std::size_t first = text.find_first_not_of(" \t");
   return first != text.npos && (text[first] == '\r' || text[first] == '\n');
+}
+
+// Returns whether a table begins with a line behind '#' that is no heading: another follows, or one
+// of more columns.
+bool begins_with_comment(std::string_view text) {
+  if (!text.starts_with('#')) return false;
+  const std::size_t end = text.find('\n');
+  if (end == text.npos) return false;
+  const auto count = [](std::string_view line) {
+    return std::count_if(line.begin(), line.end(),
+                         [](char c) { return c == ',' || c == ';' || c == '|' || c == '\t'; });
+  };
+  const std::string_view next = text.substr(end + 1);
+  return next.starts_with('#') ||
+         count(text.substr(0, end)) < count(next.substr(0, next.find('\n')));
 }
 
 // Makes tabs of bars but for those in quotation marks.
@@ -94,13 +110,15 @@ bool has_one_column(std::string_view text) {
 
 bool is_odd_csv(std::string_view start) {
   bool quoted = false;
-  return begins_with_separator(start) || has_bars(start) || begins_with_blank_line(start) ||
-         has_one_column(start) || find_seconds(start, 0, quoted) != start.npos;
+  return begins_with_separator(start) || begins_with_comment(start) || has_bars(start) ||
+         begins_with_blank_line(start) || has_one_column(start) ||
+         find_seconds(start, 0, quoted) != start.npos;
 }
 
 void straighten_csv(std::string& text) {
   if (text.starts_with(utf8_mark)) text.erase(0, utf8_mark.size());
   if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
+  while (begins_with_comment(text)) text.erase(0, text.find('\n') + 1);
   while (begins_with_blank_line(text)) text.erase(0, text.find_first_of("\r\n") + 1);
   replace_seconds(text);
   if (has_bars(text)) replace_bars(text);

@@ -41,6 +41,11 @@ std::optional<OGRSpatialReference> find_raster_crs(GDALDataset& raster,
   if (crs.SetFromUserInput(otherwise.c_str(), no_files) != OGRERR_NONE)
     throw Error(file.string(), "PROJ does not know the CRS \"" + otherwise +
                                    "\" that [terrain] dem_crs or --dem-crs gives it");
+  if (!crs.IsProjected() && !crs.IsGeographic())
+    throw Error(file.string(),
+                "the CRS \"" + otherwise +
+                    "\" that [terrain] dem_crs or --dem-crs gives it places nothing on "
+                    "a map: it is neither projected nor geographic");
   return crs;
 }
 

@@ -108,6 +108,16 @@ TEST(JsonTable, RowsAreFoundInWhatWrapsThem) {
     expect_two(start + rows + "}}");
   for (const char* key : {"value", "data", "items", "lamps"})
     expect_two("{\"" + std::string(key) + "\":" + rows + ",\"next\":null}");
+  expect_two(R"({"response":{"header":{},"body":{"items":{"item":)" + rows +
+             R"(},"totalCount":2}}})");
+  expect_two(R"({"hits":{"hits":[{"_id":"a","_source":{"location":{"lat":52.5,"lon":13.4}}},
+                 {"_id":"b","_source":{"location":{"lat":52.51,"lon":13.41}}}]}})");
+  expect_two(R"({"head":{},"results":{"bindings":[{"p":{"value":"Point(13.4 52.5) "
+}
+},
+                 {"p":{"value":"Point(13.41 52.51) "}}]
+}
+})");
   expect_two(R"({"fields":[{"id":"lat"},{"id":"lon"}],"records":[[52.5,13.4],[52.51,13.41]]})");
 }
 
@@ -142,6 +152,20 @@ TEST(JsonTable, ValuesAreThoseOfTheColumnsThatARecipeNames) {
   EXPECT_EQ(read.lamps[0].tags,
             (osm::OsmTags{{"light:power", "70"}, {"height", "8.5"}, {"operational_status", "no"}}));
   EXPECT_EQ(read.lamps[1].tags, (osm::OsmTags{{"luminaire_model", "a \"b\", c;\nd"}}));
+}
+
+TEST(JsonTable, LettersMayBeThoseOfWindows) {
+  const TempFolder folder;
+  write_text(folder / "a.json",
+             "[{\"Stra\xdf"
+             "e\":\"x\",\"lat\":52.5,\"lon\":13.4}]");
+  InventoryFile file;
+  file.file = folder / "a.json";
+  file.crs = "EPSG:4326";
+  file.id =
+      "Stra\xc3\x9f"
+      "e";
+  EXPECT_EQ(read_inventory(file).lamps.size(), 1u);
 }
 
 TEST(JsonTable, RowsWithoutAPlaceAreCounted) {

@@ -73,6 +73,8 @@ TEST(TableForms, WordsThatSayMoreMayStandBesideACoordinatesName) {
                             "経度,緯度",
                             "经度,纬度",
                             "Долгота,Широта",
+                            "coords.long,coords.lat",
+                            "geom_x_y.lon,geom_x_y.lat",
                             "Længdegrad,Breddegrad"}) {
     expect_place(folder, names, "13.4,52.5");
   }
@@ -184,6 +186,13 @@ TEST(TableForms, MarksOfSecondsNeedNoQuotes) {
     EXPECT_NEAR(read.lamps[1].lon_lat.y, 52.51, 1e-12) << separator;
     EXPECT_NEAR(read.lamps[2].lon_lat.y, 52.52, 1e-12) << separator;
   }
+}
+
+TEST(TableForms, CommentsMayStandBeforeTheHeadings) {
+  const TempFolder folder;
+  for (const char* text :
+       {"# source: X, CC BY\n# 2026\nid;lon;lat\na;13.4;52.5\n", "#id;lon;lat\na;13.4;52.5\n"})
+    EXPECT_EQ(read_form(folder, "lamps.csv", text).lamps.size(), 1u) << text;
 }
 
 TEST(TableForms, OneColumnIsATable) {

@@ -355,6 +355,8 @@ TEST(ElevationModel, ATableOfHeightsHasTheCrsBesideItOrTheOneGiven) {
   const ElevationModel given(folder / "a.xyz", default_max_block_mpx, "EPSG:25833");
   EXPECT_NEAR(sample(given, {place})[0], 37.5, 1e-9);
   EXPECT_THROW(ElevationModel(folder / "a.xyz", default_max_block_mpx, "EPSG:1"), Error);
+  EXPECT_THROW(ElevationModel(folder / "a.xyz", default_max_block_mpx, "EPSG:5709"), Error)
+      << "a system of heights";
   GDALAllRegister();
   OGRSpatialReference crs;
   crs.importFromEPSG(25833);
