@@ -51,7 +51,19 @@ std::string list_names(const std::vector<const city::Document*>& documents,
   return names;
 }
 
+// Documents of Office and KMZ are archives too.
+void refuse_document(const std::filesystem::path& file) {
+  const std::string ending = to_lower(file.extension().string());
+  for (const char* spreadsheet : {".xlsx", ".xlsm", ".ods"})
+    if (ending == spreadsheet)
+      throw NoTable(file.string(), "is a spreadsheet: save its table as CSV");
+  if (ending == ".kmz")
+    throw NoTable(file.string(),
+                  "is KML in an archive: save it as GeoJSON, CSV or GeoPackage (ogr2ogr)");
+}
+
 std::vector<city::Document> list_documents(const std::filesystem::path& file) {
+  refuse_document(file);
   try {
     return city::list_documents(file, endings);
   } catch (const Error& error) {

@@ -142,6 +142,12 @@ class Reader {
     result_.report.incomplete = table_.incomplete.empty()
                                     ? find_server_limit(table_.path, result_.report.rows)
                                     : table_.incomplete;
+    // Socrata sends as many, and says nothing of the others.
+    constexpr std::size_t usual_page = 1000;
+    if (result_.report.incomplete.empty() && result_.report.rows == usual_page)
+      result_.report.incomplete =
+          "perhaps: it has exactly 1000 rows, as many as some servers send where no limit is asked "
+          "for ($limit): look whether there are others";
     for (const auto& [number, others] : joined_) {
       osm::OsmTags& tags = result_.lamps[number].tags;
       double count = number_of(tags, "light:count").value_or(1);

@@ -66,9 +66,9 @@ std::string explain_unread(const std::string& path, const std::string& said,
     return what.empty() ? json + remedy : "it " + what + " (" + json + ")" + remedy;
   if (!said.empty()) return said;
   if (start.empty()) return "it is empty";
+  if (!what.empty()) return "it " + what + remedy;
   if (start.substr(0, 4).find('\0') != start.npos)
     return "it is no text in UTF-8: save it so, or in UTF-16 with a mark of byte order";
-  if (!what.empty()) return "it " + what + remedy;
   return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons, "
          "tabs or bars between its columns";
 }

@@ -193,6 +193,20 @@ TEST(JsonTable, RowsThatTheServerDidNotSendAreTold) {
     EXPECT_EQ(incomplete(whole), "") << whole;
 }
 
+// Socrata sends a thousand rows unless asked for more, and does not say so.
+TEST(JsonTable, ExactlyAThousandRowsMayBeAPage) {
+  const auto incomplete = [](int rows) {
+    std::string text;
+    for (int i = 0; i < rows; ++i)
+      text += (i > 0 ? "," : "[") + std::string("{\"lat\":52.5,\"lon\":") +
+              std::to_string(13 + i * 1e-4) + "}";
+    return read_json_file(text + "]").report.incomplete;
+  };
+  EXPECT_NE(incomplete(1000).find("$limit"), std::string::npos);
+  EXPECT_EQ(incomplete(999), "");
+  EXPECT_EQ(incomplete(1001), "");
+}
+
 TEST(JsonTable, WhatIsNoTableIsNamed) {
   EXPECT_NE(why_no_json("[]").find("has no row"), std::string::npos);
   EXPECT_NE(why_no_json("[1,2]").find("not of objects"), std::string::npos);

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
@@ -150,6 +151,15 @@ TEST(PackedTable, WhatIsNotOneTableIsNamedWithARemedy) {
             std::string::npos);
   pack_zip(folder / "a.zip", {{"lamps.dbf", "x"}});
   EXPECT_NE(why_not_packed(folder / "a.zip").find("no table of lamps"), std::string::npos);
+  for (const auto& [name, remedy] :
+       {std::pair{"a.xlsx", "save its table as CSV"}, std::pair{"a.ods", "save its table as CSV"},
+        std::pair{"a.kmz", "is KML in an archive"}}) {
+    pack_zip(folder / name, {{"[Content_Types].xml", "<Types/>"}});
+    EXPECT_NE(why_not_packed(folder / name).find(remedy), std::string::npos) << name;
+  }
+  pack_gzip(folder / "lamps.csv.gz", one_line);
+  pack_gzip(folder / "lamps.csv.gz", read_text(folder / "lamps.csv.gz"));
+  EXPECT_NE(why_not_packed(folder / "lamps.csv.gz").find("by gzip twice"), std::string::npos);
   Entries cut = make_shapefile("lamps");
   cut.erase("lamps.shx");
   pack_zip(folder / "a.zip", cut);
