@@ -12,14 +12,14 @@ namespace nightcity::inventory {
 /// Called with the name of a column and a cell's text.
 using VisitCell = std::function<void(const std::string&, std::string)>;
 
-/// What rows say of all of their places.
+/// Facts that rows tell of all of their places.
 struct PlacesInRows {
   bool has_geojson = false;  // some are GeoJSON, which is in WGS 84 (RFC 7946)
 };
 
-/// Visits the cells of a row. A feature's properties, ArcGIS' attributes OpenDataSoft's fields and
-/// Elasticsearch's _source are columns of their own; other members of members have their names behind a point. A list of
-/// features is as many rows: `end_row` is called behind each.
+/// Visits the cells of a row. A feature's properties, ArcGIS' attributes, OpenDataSoft's fields and
+/// Elasticsearch's _source are columns of their own; other members of members have their names
+/// behind a point. A list of features is as many rows: `end_row` is called behind each.
 void visit_cells(const simdjson::dom::element& row, const std::vector<ListedColumn>& columns,
                  const VisitCell& use, const std::function<void()>& end_row, PlacesInRows& places);
 

@@ -1,4 +1,4 @@
-// What a server says of rows that are not in its answer.
+// Finds what a server says of rows that are not in its answer.
 #pragma once
 
 #include <simdjson.h>

@@ -1,4 +1,4 @@
-// What a server says of rows that it left out.
+// Finds what a server says of rows that it left out.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@ std::string find_server_limit(const std::string& path, std::size_t rows);
 /// Servers write what they say about the whole within so many bytes of a file's ends.
 constexpr std::size_t edge_bytes = std::size_t{1} << 16;
 
-/// Returns the first and the last 64 kB of a file, or all of a smaller one; "" where it cannot be read.
+/// Returns the first and the last 64 kB of a file, or all of a smaller one; "" where it cannot be
+/// read.
 std::string read_edges(const std::string& path);
 
 /// Say in the same words, with the remedy: that a mark `key` says that there are more rows, how

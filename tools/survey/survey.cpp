@@ -86,7 +86,7 @@ void look_at_map(SurveyedFile& file) {
 
 void look_at_table(SurveyedFile& file) {
   const inventory::TableLook look = inventory::look_at_table(file.path);
-  // Of JSON there are many kinds with lists of objects.
+  // Many kinds of JSON have lists of objects.
   if (!look.has_points && look.format == "JSON") throw inventory::NoTable("", "has no points");
   if (!look.has_points) {
     file.what = look.format + " without points: a table of lamps has a point in each row";
@@ -171,7 +171,7 @@ SurveyedFile look_at(const fs::path& path) {
   if (inventory::is_named_as_table(path)) {
     const std::string as_other = std::exchange(why, {});
     if (attempt(look_at_table)) return file;
-    // What a table lacks says more than that it is no city model; but JSON and archives may be
+    // The words for what a table lacks say more than that it is no city model; but JSON and archives may be
     // anything.
     constexpr std::array<std::string_view, 6> of_all_kinds{".json", ".jsonl", ".ndjson",
                                                            ".gz",   ".zip",   ".shz"};

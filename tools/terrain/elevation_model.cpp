@@ -13,7 +13,6 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "formats/error.h"
@@ -25,6 +24,7 @@
 #include "tools/terrain/height_unit.h"
 #include "tools/terrain/raster_crs.h"
 #include "tools/terrain/raster_formats.h"
+#include "tools/terrain/raster_transform.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -64,29 +64,6 @@ void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& n
                           std::to_string(height) +
                           " pixels: write it in tiles (gdal_translate -co TILED=YES), or raise "
                           "[terrain] max_dem_block_mpx in a recipe");
-}
-
-// Gives the raster's geotransform, or the one on which its ground control points lie, to a quarter
-// of a pixel.
-void find_transform(GDALDataset& dataset, const std::string& name, double (&from_pixel)[6]) {
-  if (dataset.GetGeoTransform(from_pixel) == CE_None) return;
-  const int points = dataset.GetGCPCount();
-  constexpr int least = 3, only_exact = FALSE;
-  if (points >= least && GDALGCPsToGeoTransform(points, dataset.GetGCPs(), from_pixel, only_exact))
-    return;
-  if (points > 0)
-    throw Error(name, "is placed by " + std::to_string(points) +
-                          " ground control points on no common plane grid: straighten it "
-                          "(gdalwarp -t_srs EPSG:<code> IN.tif OUT.tif)");
-  for (const auto& [domain, option] :
-       {std::pair{"RPC", "-rpc"}, std::pair{"GEOLOCATION", "-geoloc"}})
-    if (dataset.GetMetadata(domain))
-      throw Error(name, std::string("is placed by metadata alone (") + domain +
-                            "): straighten it (gdalwarp " + option +
-                            " -t_srs EPSG:<code> IN.tif OUT.tif)");
-  throw Error(name,
-              "names no place on earth: it has no geotransform (gdal_translate -a_ullr <west> "
-              "<north> <east> <south> -a_srs EPSG:<code> IN.tif OUT.tif gives it one)");
 }
 
 // Returns what GDAL said or, where it knows nothing of the file, what that is.
@@ -176,7 +153,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   for (int i = 1; i <= s.dataset->GetRasterCount(); ++i)
     refuse_large_blocks(*s.dataset->GetRasterBand(i), max_block_mpx, s.name);
   double from_pixel[6];
-  find_transform(*s.dataset, s.name, from_pixel);
+  find_raster_transform(*s.dataset, s.name, from_pixel);
   if (!GDALInvGeoTransform(from_pixel, s.to_pixel))
     throw Error(s.name, "has a geotransform without extent: all of its pixels lie on a line");
   int said = 0;

@@ -82,7 +82,8 @@ TEST(JsonTable, OpenDataSoftsRowsHavePlacesInFourForms) {
              "");
   expect_two(
       R"([{"geo_shape":{"type":"Feature","geometry":{"type":"Point","coordinates":[13.4,52.5]}}},
-                 {"geo_shape":{"type":"Feature","geometry":{"type":"Point","coordinates":[13.41,52.51]}}}])",
+                 {"geo_shape":{"type":"Feature",
+                  "geometry":{"type":"Point","coordinates":[13.41,52.51]}}}])",
       "");
 }
 
@@ -122,9 +123,10 @@ TEST(JsonTable, RowsAreFoundInWhatWrapsThem) {
 }
 
 TEST(JsonTable, FeaturesMayBeAListOfTheirOwn) {
-  const std::string
-      a = R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[13.4,52.5]}})",
-      b = R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[13.41,52.51]}})";
+  const std::string a = R"({"type":"Feature","properties":{},
+               "geometry":{"type":"Point","coordinates":[13.4,52.5]}})",
+                    b = R"({"type":"Feature","properties":{},
+               "geometry":{"type":"Point","coordinates":[13.41,52.51]}})";
   expect_two("[" + a + "," + b + "]", "");
   expect_two(R"([{"type":"FeatureCollection","features":[)" + a + R"(]},{"features":[)" + b + "]}]",
              "");
