@@ -181,7 +181,7 @@ std::optional<Foreign> find_json(std::string_view text) {
     const auto holds = [text](std::string_view word) { return text.find(word) != text.npos; };
     if (std::all_of(row.words.begin(), row.words.end(), holds)) return row.is;
   }
-  if (!text.starts_with('{')) return {};
+  if (!text.starts_with('{')) return Foreign{"is a list in JSON", table_or_model, leads_to_model};
   return Foreign{"is JSON of another kind", "neither CityJSON nor glTF"};
 }
 

@@ -10,6 +10,7 @@ namespace nightcity::city {
 namespace {
 
 constexpr char32_t replacement = 0xFFFD;
+constexpr std::size_t looked_at_bytes = 32;  // for zeros in every second place
 constexpr std::size_t block_bytes = std::size_t{1} << 16;
 
 void append_utf8(char32_t c, std::string& out) {
@@ -31,14 +32,14 @@ void append_utf8(char32_t c, std::string& out) {
   }
 }
 
-/// Passes a document on whose first bytes have been read already.
+/// Passes a document on whose first bytes have been read already; without a rest these are all.
 class ResumedSource : public ByteSource {
  public:
   ResumedSource(std::string start, std::unique_ptr<ByteSource> rest)
       : start_(std::move(start)), rest_(std::move(rest)) {}
 
   std::size_t read(char* out, std::size_t size) override {
-    if (at_ == start_.size()) return rest_->read(out, size);
+    if (at_ == start_.size()) return rest_ ? rest_->read(out, size) : 0;
     const std::size_t n = std::min(size, start_.size() - at_);
     std::memcpy(out, start_.data() + at_, n);
     at_ += n;
@@ -142,12 +143,26 @@ std::size_t find_invalid(std::string_view text) {
   return sound;
 }
 
+// Returns whether zeros are every second of the first bytes, from `first` on, and none of the
+// others is a control character: so does text in UTF-16 whose first letters are Latin.
+bool alternates(std::string_view start, std::size_t first) {
+  const std::string_view looked_at = start.substr(0, looked_at_bytes);
+  if (looked_at.size() < looked_at_bytes / 2 || looked_at.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < looked_at.size(); ++i) {
+    const char c = looked_at[i];
+    const bool is_control = static_cast<std::uint8_t>(c) < ' ';
+    if (i % 2 == first ? c != 0 : is_control && c != '\t' && c != '\r' && c != '\n') return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool begins_as_utf16(std::string_view start) {
   using namespace std::string_view_literals;
   return start.starts_with("\xff\xfe"sv) || start.starts_with("\xfe\xff"sv) ||
-         start.starts_with("<\0"sv) || start.starts_with("\0<"sv);
+         start.starts_with("<\0"sv) || start.starts_with("\0<"sv) || alternates(start, 0) ||
+         alternates(start, 1);
 }
 
 bool begins_as_utf32(std::string_view start) {
@@ -157,7 +172,7 @@ bool begins_as_utf32(std::string_view start) {
 }
 
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
-  std::string start(4, '\0');
+  std::string start(looked_at_bytes, '\0');
   std::size_t size = 0;
   while (size < start.size()) {
     const std::size_t got = source->read(start.data() + size, start.size() - size);
@@ -171,6 +186,19 @@ std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
   if (!utf16 && !utf32) return whole;
   return std::make_unique<WideSource>(std::move(whole), utf32 ? UnitBytes::four : UnitBytes::two,
                                       big_endian);
+}
+
+std::string to_utf8(std::string text) {
+  if (!begins_as_utf16(text) && !begins_as_utf32(text)) return text;
+  const auto source = to_utf8(std::make_unique<ResumedSource>(std::move(text), nullptr));
+  std::string out;
+  for (std::size_t end = 0, size = 0;; end += size) {
+    out.resize(end + block_bytes);
+    size = source->read(out.data() + end, block_bytes);
+    if (size > 0) continue;
+    out.resize(end);
+    return out;
+  }
 }
 
 std::string decode_text(std::string text) {

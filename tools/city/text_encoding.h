@@ -9,8 +9,8 @@
 
 namespace nightcity::city {
 
-/// Returns whether a document's first bytes are UTF-16: a byte order mark, or '<' beside a zero
-/// byte (XML 1.0, appendix F).
+/// Returns whether a document's first bytes are UTF-16: a byte order mark, '<' beside a zero byte
+/// (XML 1.0, appendix F), or 16 bytes or more with zeros in every second place of Latin text.
 bool begins_as_utf16(std::string_view start);
 /// The same for UTF-32, whose byte order mark begins with that of UTF-16.
 bool begins_as_utf32(std::string_view start);
@@ -18,6 +18,9 @@ bool begins_as_utf32(std::string_view start);
 /// Returns a source of the same document in UTF-8: one in UTF-16 or UTF-32 is translated, any other
 /// passes through. Halves of surrogate pairs that stand alone become U+FFFD.
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source);
+
+/// Returns the same of a whole text.
+std::string to_utf8(std::string text);
 
 /// Returns a text in UTF-8: as it is where it is valid, else taken as Windows-1252, which holds
 /// ISO 8859-1.

@@ -45,7 +45,7 @@ DocumentText::DocumentText(const city::Document& document, bool on_disk) {
     mapped_.emplace(document.name);
     const auto bytes = mapped_->bytes();
     text_ = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-    if (city::begins_as_utf16(text_.substr(0, 4)) || city::begins_as_utf32(text_.substr(0, 4))) {
+    if (city::begins_as_utf16(text_) || city::begins_as_utf32(text_)) {
       mapped_.reset();
       hold(document);
     }

@@ -69,6 +69,18 @@ std::string to_srs_name(std::string_view name) {
   return codes;
 }
 
+std::string find_crs_name(const dom::object& described) {
+  if (const auto properties = find_object(described, "properties"))
+    return to_srs_name(find_text(*properties, "name"));
+  if (!find_text(described, "type").ends_with("CRS")) return {};
+  if (const auto id = find_object(described, "id")) {
+    const auto code = find_member(*id, "code");
+    const std::string_view authority = find_text(*id, "authority");
+    if (code && !authority.empty()) return std::string(authority) + ":" + to_text(*code);
+  }
+  return find_text(described, "name").empty() ? std::string() : simdjson::minify(described);
+}
+
 std::vector<glm::dvec3> read_vertices(const dom::array& array, const Transform& transform) {
   std::vector<glm::dvec3> vertices;
   vertices.reserve(array.size());
@@ -144,7 +156,11 @@ void SharedParts::read(std::string_view key, const dom::element& value, const Wh
     has_transform = true;
   } else if (key == "metadata" && is_object) {
     if (const auto said = find_member(object, "referenceSystem")) {
-      srs_name = to_srs_name(to_text(*said));  // also of 25832, a number
+      dom::object described;
+      if (said->get(described) == simdjson::SUCCESS)
+        srs_name = find_crs_name(described);
+      else
+        srs_name = to_srs_name(to_text(*said));  // also of 25832, a number
       if (srs_name.empty()) skipped.add("referenceSystem that is no text");
     }
   } else if (key == "appearance" && is_object) {

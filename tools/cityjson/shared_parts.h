@@ -75,6 +75,9 @@ struct SharedParts {
 /// promises no axis order: CityJSON writes x, y, z, which is easting or longitude first, whatever
 /// the register says.
 std::string to_srs_name(std::string_view reference_system);
+/// Returns the name of a CRS that is an object: its code or else all of its text where it is
+/// PROJJSON, the name in it where it has the form of GeoJSON's crs member; "" for others.
+std::string find_crs_name(const dom::object& described);
 
 /// Returns the vertices of an array, in the city's CRS. A vertex that is none becomes one that is
 /// not finite, so that the polygons that need it are left out.

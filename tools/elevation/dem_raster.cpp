@@ -7,9 +7,12 @@
 
 namespace nightcity::elevation {
 
-DemRaster::DemRaster(const std::filesystem::path& file, int max_block_mpx)
-    : model_(file, max_block_mpx) {
-  if (!model_.has_crs()) throw Error(file.string(), "names no coordinate reference system");
+DemRaster::DemRaster(const std::filesystem::path& file, int max_block_mpx,
+                     const std::string& crs_without)
+    : model_(file, max_block_mpx, crs_without) {
+  if (!model_.has_crs())
+    throw Error(file.string(),
+                "names no coordinate reference system: say it by --dem-crs (\"EPSG:25832\")");
 }
 
 std::optional<double> DemRaster::height_at(const glm::dvec2& lon_lat) const {

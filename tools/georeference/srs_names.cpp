@@ -101,6 +101,8 @@ std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
   const std::string_view name = trim(srs_name);
   std::vector<std::string> definitions;
   if (name.empty()) return definitions;
+  // PROJJSON says all itself: codes in it may be those of a part.
+  if (name.starts_with('{')) return {std::string(name)};
   std::string key = to_lower(name);
   if (constexpr std::string_view adv = "urn:adv:crs:"; key.starts_with(adv))
     key.erase(0, adv.size());

@@ -51,14 +51,16 @@ constexpr std::array pairs{Pair{"lon", "lat"},
                            Pair{"e", "n"}};
 
 // Words that say more of a coordinate.
-constexpr std::array<string_view, 42> qualifiers{
-    "coordinates", "coordinate", "coordenadas", "coordenada", "coordonnees", "coordonnee",
-    "coordinata",  "coord",      "koordinaten", "koordinate", "koordinat",   "koord",
-    "geographic",  "geometry",   "geom",        "geo",        "gps",         "wgs84",
-    "wgs",         "etrs89",     "utm",         "epsg",       "decimal",     "dec",
-    "degrees",     "degree",     "deg",         "dd",         "°",           "position",
-    "pos",         "point",      "location",    "loc",        "centroid",    "center",
-    "centre",      "map",        "grid",        "gis",        "lv95",        "m"};
+constexpr std::array<string_view, 45> qualifiers{
+    "coordinates", "coordinate", "coordenadas", "coordenada",  "coordonnees",
+    "coordonnee",  "coordinata", "coord",       "koordinaten", "koordinate",
+    "koordinat",   "koord",      "geographic",  "geometry",    "geom",
+    "geo",         "gps",        "wgs84",       "wgs",         "etrs89",
+    "utm",         "epsg",       "decimal",     "dec",         "degrees",
+    "degree",      "deg",        "dd",          "°",           "position",
+    "pos",         "point",      "location",    "loc",         "centroid",
+    "center",      "centre",     "map",         "grid",        "gis",
+    "lv95",        "2d",         "coords",      "xy",          "m"};
 
 // Each place where words may end is looked at once, however many ways lead there.
 bool are_qualifiers(string_view text) {

@@ -17,8 +17,10 @@ namespace nightcity::inventory {
 namespace {
 
 // Returns the names to try, best first: the register's code, then the definition itself.
-std::vector<std::string> list_definitions(OGRLayer& layer, const InventoryFile& inventory) {
-  if (!inventory.crs.empty()) return georeference::list_crs_definitions(inventory.crs);
+std::vector<std::string> list_definitions(OGRLayer& layer, const InventoryFile& inventory,
+                                          const std::string& of_form) {
+  for (const std::string& name : {inventory.crs, of_form})
+    if (!name.empty()) return georeference::list_crs_definitions(name);
   const OGRSpatialReference* said = layer.GetSpatialRef();
   // A GeoPackage has an "Undefined geographic SRS" and a Cartesian one for what nobody knows.
   if (!said || std::string_view(said->GetName() ? said->GetName() : "").starts_with("Undefined"))
@@ -53,8 +55,8 @@ std::optional<glm::dvec2> find_middle(OGRLayer& layer) {
 
 }  // namespace
 
-LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory) {
-  const auto definitions = list_definitions(layer, inventory);
+LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory, const std::string& of_form) {
+  const auto definitions = list_definitions(layer, inventory, of_form);
   if (definitions.empty())
     throw Error(inventory.file.string(),
                 "names no CRS: say it by crs in [[lamps.inventories]] (\"EPSG:4326\" for longitude "

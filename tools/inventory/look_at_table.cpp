@@ -124,8 +124,8 @@ int rate_as_lamps(OGRLayer& layer, const std::string& format) {
 
 bool is_named_as_table(const std::filesystem::path& file) {
   const std::string ending = to_lower(file.extension().string());
-  for (const char* known :
-       {".geojson", ".geojsonl", ".csv", ".tsv", ".gpkg", ".shp", ".fgb", ".json"})
+  for (const char* known : {".geojson", ".geojsonl", ".csv", ".tsv", ".gpkg", ".shp", ".fgb",
+                            ".json", ".jsonl", ".ndjson", ".zip", ".shz", ".gz"})
     if (ending == known) return true;
   return false;
 }
@@ -133,10 +133,11 @@ bool is_named_as_table(const std::filesystem::path& file) {
 TableLook look_at_table(const std::filesystem::path& file) {
   InventoryFile inventory;
   inventory.file = file;
-  const GDALDatasetUniquePtr dataset = open_vector_file(inventory);
+  const VectorFile table = open_vector_file(inventory);
+  GDALDataset* const dataset = table.dataset.get();
   const gdal::Guard guard;
   TableLook look;
-  look.format = driver_name(*dataset);
+  look.format = table.format;
   OGRLayer* chosen = nullptr;
   int best = -1;  // of layers with points, the one that speaks most of lamps is taken
   for (int i = 0; i < dataset->GetLayerCount(); ++i) {
@@ -150,10 +151,10 @@ TableLook look_at_table(const std::filesystem::path& file) {
   if (!chosen) return look;
   look.layer = city::to_valid_utf8(chosen->GetName());
   look.rows = chosen->GetFeatureCount(TRUE);
-  if (const OGRSpatialReference* crs = chosen->GetSpatialRef())
+  if (const OGRSpatialReference* crs = chosen->GetSpatialRef(); crs && table.crs.empty())
     look.crs = crs->GetName() ? crs->GetName() : "unnamed";
   else
-    look.crs = TextPlaces(*chosen, inventory).crs();
+    look.crs = table.crs.empty() ? TextPlaces(*chosen, inventory).crs() : table.crs;
   OGRFeatureDefn& columns = *chosen->GetLayerDefn();
   for (int i = 0; i < columns.GetFieldCount(); ++i)
     look.columns.push_back(city::decode_text(columns.GetFieldDefn(i)->GetNameRef()));

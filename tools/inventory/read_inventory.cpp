@@ -43,19 +43,18 @@ class Reader {
  public:
   explicit Reader(const InventoryFile& file)
       : file_(file),
-        dataset_(open_vector_file(file)),
-        layer_(find_layer(*dataset_, file)),
+        table_(open_vector_file(file)),
+        layer_(find_layer(*table_.dataset, file)),
         columns_(layer_, file),
         point_column_(file.x.empty() ? find_point_column(layer_) : -1),
         texts_(layer_, file),
-        crs_((require_geometry(), layer_), with_crs_of_texts()) {}
+        crs_((require_geometry(), layer_), file_, find_crs_of_form()) {}
 
   Inventory read() {
     const gdal::Guard guard;
     CPLErrorReset();
     result_.report.file = file_.file.filename().string();
-    result_.report.format = driver_name(*dataset_);
-    result_.report.incomplete = find_server_limit(file_.file);
+    result_.report.format = table_.format;
     result_.report.doubt = crs_.doubt();
     layer_.ResetReading();
     for (OGRFeatureUniquePtr row; (row = OGRFeatureUniquePtr(layer_.GetNextFeature()));) {
@@ -74,10 +73,8 @@ class Reader {
   }
 
  private:
-  InventoryFile with_crs_of_texts() const {
-    InventoryFile file = file_;
-    if (file.crs.empty()) file.crs = texts_.crs();
-    return file;
+  const std::string& find_crs_of_form() const {
+    return table_.crs.empty() ? texts_.crs() : table_.crs;
   }
 
   void require_geometry() const {
@@ -142,6 +139,15 @@ class Reader {
 
   // Makes one post of rows at one place.
   void finish() {
+    result_.report.incomplete = table_.incomplete.empty()
+                                    ? find_server_limit(table_.path, result_.report.rows)
+                                    : table_.incomplete;
+    // Socrata sends as many, and says nothing of the others.
+    constexpr std::size_t usual_page = 1000;
+    if (result_.report.incomplete.empty() && result_.report.rows == usual_page)
+      result_.report.incomplete =
+          "perhaps: it has exactly 1000 rows, as many as some servers send where no limit is asked "
+          "for ($limit): look whether there are others";
     for (const auto& [number, others] : joined_) {
       osm::OsmTags& tags = result_.lamps[number].tags;
       double count = number_of(tags, "light:count").value_or(1);
@@ -191,7 +197,7 @@ class Reader {
   }
 
   const InventoryFile& file_;
-  GDALDatasetUniquePtr dataset_;
+  VectorFile table_;
   OGRLayer& layer_;
   LayerColumns columns_;
   int point_column_;  // -1: the layer has geometries

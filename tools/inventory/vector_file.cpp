@@ -1,14 +1,10 @@
 #include "tools/inventory/vector_file.h"
 
-#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_vsi.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <fstream>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -17,10 +13,13 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/to_lower.h"
-#include "tools/city/byte_source.h"
 #include "tools/city/foreign_format.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/geojson_crs.h"
+#include "tools/inventory/json_table.h"
+#include "tools/inventory/packed_table.h"
+#include "tools/inventory/table_text.h"
 #include "tools/inventory/text_places.h"
 
 namespace nightcity::inventory {
@@ -36,122 +35,77 @@ void refuse_what_is_no_table(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, error))
     throw Error(file.string(), "is a folder: name the file in it");
   refuse_special_file(file);
-  const std::string name = to_lower(file.filename().string());
-  for (const char* ending : {".zip", ".gz", ".shz", ".7z"})
-    if (name.ends_with(ending))
-      throw Error(file.string(), "is packed: unpack it first and name the file inside");
 }
 
-// Returns what GDAL said or, where it said nothing, what the file looks like.
-std::string explain_unread(const std::filesystem::path& file) {
-  const std::string said = CPLGetLastErrorMsg();
+// Returns the first bytes of a file that GDAL can open.
+std::string read_start(const std::string& path) {
+  std::string start(8192, '\0');
+  VSILFILE* const file = VSIFOpenL(path.c_str(), "rb");
+  if (!file) return {};
+  start.resize(VSIFReadL(start.data(), 1, start.size(), file));
+  VSIFCloseL(file);
+  return start;
+}
+
+bool begins_as_json(std::string_view start) {
+  const std::size_t first = start.find_first_not_of("\xef\xbb\xbf \t\r\n\x1e");
+  return first != start.npos && (start[first] == '{' || start[first] == '[');
+}
+
+// Returns what GDAL said or, where it said nothing, what the file looks like. `json`: why it is no
+// table in JSON.
+std::string explain_unread(const std::string& path, const std::string& said,
+                           const std::string& json) {
   if (said.find(".shx") != std::string::npos)
-    return "the file " + file.stem().string() + ".shx that belongs to it is missing";
+    return "the file " + std::filesystem::path(path).stem().string() +
+           ".shx that belongs to it is missing";
+  const std::string start = read_start(path);
+  const std::string what = city::name_foreign(start, "");
+  const std::string remedy = "; a table can be saved as GeoJSON, CSV or GeoPackage (ogr2ogr)";
+  if (!json.empty())
+    return what.empty() ? json + remedy : "it " + what + " (" + json + ")" + remedy;
   if (!said.empty()) return said;
-  std::array<char, 4096> bytes{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes.data(), bytes.size());
-  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (city::begins_as_utf16(start)) return "it is text in UTF-16: save it in UTF-8";
-  if (start.starts_with("PK\x03\x04"))
-    return "it is an archive or a spreadsheet: unpack it, or save the table as CSV";
   if (start.empty()) return "it is empty";
-  if (const std::size_t first = start.find_first_not_of(" \t\r\n");
-      first < start.size() && start[first] == '[')
-    return "it is a list in JSON: a table is one object, a FeatureCollection, or an object a line "
-           "(jq -c '.[]' makes lines of a list)";
+  if (!what.empty()) return "it " + what + remedy;
   if (start.substr(0, 4).find('\0') != start.npos)
     return "it is no text in UTF-8: save it so, or in UTF-16 with a mark of byte order";
-  if (const std::string what = city::name_foreign(start, ""); !what.empty())
-    return "it " + what + "; a table can be saved as GeoJSON, CSV or GeoPackage (ogr2ogr)";
   return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons, "
          "tabs or bars between its columns";
 }
 
-// A file in memory under a name of its own. GDAL keeps one that is open when its name is removed.
-class TranslatedFile {
- public:
-  TranslatedFile(std::string text, const std::string& ending) : text_(std::move(text)) {
-    static std::atomic<unsigned> count{0};
-    path_ = "/vsimem/nightcity_table_" + std::to_string(++count) + ending;
-    auto* bytes = static_cast<GByte*>(CPLMalloc(text_.size() + 1));
-    std::copy(text_.begin(), text_.end(), bytes);
-    VSILFILE* file = VSIFileFromMemBuffer(path_.c_str(), bytes, text_.size(), TRUE);
-    if (file) VSIFCloseL(file);
-    text_ = {};
+bool is_named_as_csv(const std::string& path) {
+  const std::string name = to_lower(path);
+  return name.ends_with(".csv") || name.ends_with(".tsv");
+}
+
+// Puts a table that GDAL would not read as it lies on the disk into memory, and sets the path to
+// it.
+void put_into_memory(const std::filesystem::path& file, VectorFile& out) {
+  // The whole path, which no prefix of GDAL's own file systems can be.
+  out.path = std::filesystem::absolute(file).string();
+  std::string start = read_start(out.path);
+  if (start.empty()) return;
+  std::vector<MemoryFile> files = unpack_table(file);
+  if (files.empty()) {
+    const bool is_wide = city::begins_as_utf16(start) || city::begins_as_utf32(start);
+    if (!is_wide && !(is_named_as_csv(out.path) && is_odd_csv(start))) return;
+    const std::array<std::string_view, 1> endings{""};
+    files.push_back(
+        {file.filename().string(),
+         read_whole(city::list_documents(file, endings).front(),
+                    "save it in UTF-8, with commas and without blank lines or \"sep=\" before "
+                    "its headings")});
   }
-  ~TranslatedFile() { VSIUnlink(path_.c_str()); }
-  TranslatedFile(const TranslatedFile&) = delete;
-  TranslatedFile& operator=(const TranslatedFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string text_, path_;
-};
-
-// Returns whether a table begins with the line that tells Excel which sign separates its columns.
-bool begins_with_separator(std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  return to_lower(text.substr(0, 4)) == "sep=";
-}
-
-// Returns whether bars separate the columns of a table, which GDAL takes for text: its first line
-// has no other separator.
-bool has_bars(std::string_view text) {
-  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-  return line.find('|') != line.npos && line.find_first_of(",;\t") == line.npos;
-}
-
-// Returns whether a table begins with lines of nothing, in which GDAL finds no column.
-bool begins_with_blank_line(std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first != text.npos && (text[first] == '\r' || text[first] == '\n');
-}
-
-// Makes tabs of bars but for those in quotation marks.
-void replace_bars(std::string& text) {
-  bool quoted = false;
-  for (char& c : text) {
-    if (c == '"') quoted = !quoted;
-    if (c == '|' && !quoted) c = '\t';
+  if (is_named_as_csv(files.front().name)) straighten_csv(files.front().bytes);
+  for (std::size_t i = files.size(); i-- > 0;) {
+    out.path = out.memory.add(files[i].name, files[i].bytes);
+    files.pop_back();
   }
 }
 
-// Returns a table in UTF-16 or UTF-32, as spreadsheets save "Unicode text", in UTF-8, one that
-// begins with "sep=;" or blank lines without these, and one with bars between its columns with
-// tabs; null for others.
-std::unique_ptr<TranslatedFile> translate_text(const std::filesystem::path& file,
-                                               const std::string& ending) {
-  std::array<char, 8192> bytes{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes.data(), bytes.size());
-  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (!city::begins_as_utf16(start) && !city::begins_as_utf32(start) &&
-      !begins_with_separator(start) && !has_bars(start) && !begins_with_blank_line(start))
-    return nullptr;
-  constexpr std::size_t most = std::size_t{1} << 30;
-  const std::array<std::string_view, 1> endings{ending};
-  const auto source = city::list_documents(file, endings).front().open();
-  std::string text;
-  for (std::size_t end = 0, size = 0;; end += size) {
-    text.resize(end + (std::size_t{1} << 16));
-    size = source->read(text.data() + end, text.size() - end);
-    if (size == 0) {
-      text.resize(end);
-      break;
-    }
-    if (end + size > most)
-      throw Error(file.string(),
-                  "is text in UTF-16, with bars, blank lines at its beginning or a line \"sep=\", "
-                  "of more than 1 GB: "
-                  "save it in UTF-8 with commas and without these lines");
-  }
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-  if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
-  while (begins_with_blank_line(text)) text.erase(0, text.find_first_of("\r\n") + 1);
-  if (has_bars(text)) replace_bars(text);
-  return std::make_unique<TranslatedFile>(std::move(text), ending);
+GDALDatasetUniquePtr open_dataset(const std::string& path, const CPLStringList& options) {
+  return GDALDatasetUniquePtr(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
+                                                drivers.data(), options.List(), nullptr));
 }
 
 // Returns a column's name as GDAL's options take it, which end a name at a comma.
@@ -165,8 +119,7 @@ std::string to_pattern(OGRFeatureDefn& columns, int column) {
 // there, or digits in groups, it does not: it would make numbers of them and lose what is none.
 CPLStringList find_columns_of_places(const std::string& path, const InventoryFile& inventory) {
   CPLStringList options;
-  const GDALDatasetUniquePtr dataset(GDALDataset::Open(
-      path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
+  const GDALDatasetUniquePtr dataset = open_dataset(path, {});
   if (!dataset || dataset->GetLayerCount() == 0) return options;
   OGRFeatureDefn& columns = *dataset->GetLayer(0)->GetLayerDefn();
   const TextPlaces places(*dataset->GetLayer(0), inventory);
@@ -179,18 +132,57 @@ CPLStringList find_columns_of_places(const std::string& path, const InventoryFil
   return options;
 }
 
-// Returns whether a file begins with a mark of UTF-8 and an object of JSON: of one object a line
+// Returns whether a text begins with a mark of UTF-8 and an object of JSON: of one object a line
 // GDAL would read the first line alone.
-bool is_marked_json(const std::filesystem::path& file) {
+bool is_marked_json(std::string_view start) {
   constexpr std::string_view mark = "\xef\xbb\xbf";
-  std::array<char, 64> bytes{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes.data(), bytes.size());
-  std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   if (!start.starts_with(mark)) return false;
   start.remove_prefix(mark.size());
   const std::size_t first = start.find_first_not_of(" \t\r\n\x1e");
   return first != start.npos && start[first] == '{';
+}
+
+// Returns whether GDAL took a text for GeoJSON and found nothing, as in rows whose form is similar.
+bool is_empty_json(const VectorFile& table) {
+  if (table.format.find("JSON") == std::string::npos) return false;
+  if (table.dataset->GetLayerCount() != 1) return table.dataset->GetLayerCount() == 0;
+  OGRLayer& layer = *table.dataset->GetLayer(0);
+  layer.ResetReading();
+  const bool is_empty = OGRFeatureUniquePtr(layer.GetNextFeature()) == nullptr;
+  layer.ResetReading();
+  return is_empty;
+}
+
+// Returns all of a text that GDAL can open.
+std::string read_json(const std::string& path, const std::filesystem::path& file) {
+  constexpr vsi_l_offset most = vsi_l_offset{1} << 30;
+  VSIStatBufL status;
+  if (VSIStatL(path.c_str(), &status) != 0) return {};
+  const auto size = static_cast<vsi_l_offset>(status.st_size);
+  if (size > most)
+    throw Error(file.string(), "is JSON but no GeoJSON, of more than 1 GB: save it as CSV");
+  std::string text(size, '\0');
+  VSILFILE* const stream = VSIFOpenL(path.c_str(), "rb");
+  if (!stream) return {};
+  text.resize(VSIFReadL(text.data(), 1, text.size(), stream));
+  VSIFCloseL(stream);
+  return text;
+}
+
+// Opens rows in JSON that GDAL does not know. Returns why they are none; "" where they are.
+std::string open_json(const InventoryFile& inventory, VectorFile& out) {
+  std::string why;
+  JsonTable table =
+      read_json_table(read_json(out.path, inventory.file), inventory.file.string(), why);
+  if (!why.empty()) return why;
+  out.dataset.reset();
+  if (table.csv.empty()) throw Error(inventory.file.string(), "has no row");
+  out.path = out.memory.add(inventory.file.stem().string() + ".csv", table.csv);
+  out.dataset = open_dataset(out.path, find_columns_of_places(out.path, inventory));
+  out.format = "JSON";
+  out.crs = table.crs;
+  out.incomplete = table.incomplete;
+  return out.dataset ? "" : "its rows make no table";
 }
 
 // Returns whether lamps may lie in a layer: GeoPackages hold tables of styles and attributes too.
@@ -209,32 +201,30 @@ std::string list_layers(GDALDataset& dataset) {
 
 }  // namespace
 
-GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
+VectorFile open_vector_file(const InventoryFile& inventory) {
   refuse_what_is_no_table(inventory.file);
   gdal::register_drivers();
   const gdal::Guard guard;
   // One object of GeoJSON may take so many MB: a lamp needs a kilobyte.
   CPLSetThreadLocalConfigOption("OGR_GEOJSON_MAX_OBJ_SIZE", "16");
-  // The whole path, which no prefix of GDAL's own file systems can be.
-  std::string path = std::filesystem::absolute(inventory.file).string();
+  VectorFile out;
+  put_into_memory(inventory.file, out);
   CPLStringList options;
-  std::unique_ptr<TranslatedFile> translated;
-  if (const std::string ending = to_lower(inventory.file.extension().string());
-      ending == ".csv" || ending == ".tsv") {
-    translated = translate_text(inventory.file, ending);
-    if (translated) path = translated->path();
-    options = find_columns_of_places(path, inventory);
-  } else if (is_marked_json(inventory.file)) {
-    path = "/vsisubfile/3," + path;
-  }
-  GDALDatasetUniquePtr dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
-                                                 drivers.data(), options.List(), nullptr));
-  if (!dataset)
-    throw NoTable(inventory.file.string(),
-                  "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "
-                  "FlatGeobuf): " +
-                      explain_unread(inventory.file));
-  return dataset;
+  if (is_named_as_csv(out.path)) options = find_columns_of_places(out.path, inventory);
+  const std::string start = read_start(out.path);
+  CPLErrorReset();
+  out.dataset = open_dataset((is_marked_json(start) ? "/vsisubfile/3," : "") + out.path, options);
+  const std::string said = CPLGetLastErrorMsg();
+  if (out.dataset) out.format = out.dataset->GetDriver()->GetDescription();
+  if (out.format == "GeoJSON") out.crs = find_odd_crs(out.path);
+  if (out.dataset && !is_empty_json(out)) return out;
+  std::string why;
+  if (begins_as_json(start)) why = open_json(inventory, out);
+  if (out.dataset) return out;
+  throw NoTable(inventory.file.string(),
+                "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "
+                "FlatGeobuf, rows in JSON): " +
+                    explain_unread(out.path, said, why));
 }
 
 OGRLayer& find_layer(GDALDataset& dataset, const InventoryFile& inventory) {
@@ -256,7 +246,7 @@ OGRLayer& find_layer(GDALDataset& dataset, const InventoryFile& inventory) {
 
 int find_point_column(OGRLayer& layer) {
   // OpenDataSoft's, Socrata's and ArcGIS Hub's, without blanks and underscores.
-  constexpr std::array<std::string_view, 6> names{"geopoint2d", "geopoint",    "latlon",
+  constexpr std::array<std::string_view, 7> names{"geopoint2d", "geopoint",    "latlon",  "latlng",
                                                   "latlong",    "coordinates", "location"};
   if (layer.GetGeomType() != wkbNone) return -1;
   OGRFeatureDefn& columns = *layer.GetLayerDefn();
@@ -266,10 +256,6 @@ int find_point_column(OGRLayer& layer) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return i;
   }
   return -1;
-}
-
-const char* driver_name(GDALDataset& dataset) {
-  return dataset.GetDriver() ? dataset.GetDriver()->GetDescription() : "";
 }
 
 }  // namespace nightcity::inventory

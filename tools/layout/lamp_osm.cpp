@@ -73,8 +73,10 @@ std::size_t write_lamp_osm(const std::filesystem::path& path,
     if (lamp.hours) tag("lit", lit_hours(*lamp.hours));
     const auto source = static_cast<std::int64_t>(lamp.provenance.source_id);
     const bool laid_out = lamp.provenance.flux == ValueSource::standard;  // see layout.h
-    tag("source", laid_out ? fmt::format("nightbake layout along way {}", source)
-                           : fmt::format("OpenStreetMap node {}", source));
+    const bool in_inventory = lamp.provenance.position == ValueSource::inventory;
+    tag("source", laid_out       ? fmt::format("nightbake layout along way {}", source)
+                  : in_inventory ? fmt::format("inventory of lamps, row {}", source)
+                                 : fmt::format("OpenStreetMap node {}", source));
     file.write(text + "</node>\n");
     ++written;
   }

@@ -13,46 +13,6 @@
 #include "tools/city/text_encoding.h"
 
 namespace nightcity::lights {
-namespace {
-
-void append_utf8(std::uint32_t c, std::string& text) {
-  const auto put = [&text](std::uint32_t byte) { text += static_cast<char>(byte); };
-  if (c < 0x80) {
-    put(c);
-  } else if (c < 0x800) {
-    put(0xC0 | c >> 6), put(0x80 | (c & 63));
-  } else if (c < 0x10000) {
-    put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-  } else {
-    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63));
-    put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-  }
-}
-
-/// Returns a text in UTF-16, which begins with its byte order mark, in UTF-8. Half a pair of
-/// surrogates becomes U+FFFD.
-std::string from_utf16(std::string_view bytes) {
-  const std::size_t high = bytes.starts_with("\xfe\xff") ? 0 : 1;
-  const auto unit = [&](std::size_t at) -> std::uint32_t {
-    if (at + 1 >= bytes.size()) return 0;
-    return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + high]) << 8 |
-                                      static_cast<unsigned char>(bytes[at + 1 - high]));
-  };
-  std::string text;
-  for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
-    std::uint32_t c = unit(at);
-    if (c >= 0xD800 && c < 0xE000) {
-      const std::uint32_t low = unit(at + 2);
-      const bool pair = c < 0xDC00 && low >= 0xDC00 && low < 0xE000;
-      c = pair ? 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00) : 0xFFFD;
-      if (pair) at += 2;
-    }
-    append_utf8(c, text);
-  }
-  return text;
-}
-
-}  // namespace
 
 TextLines::TextLines(std::filesystem::path file) : name_(file.string()) {
   constexpr std::uintmax_t largest = 16 << 20;
@@ -64,10 +24,8 @@ TextLines::TextLines(std::filesystem::path file) : name_(file.string()) {
   std::ifstream stream(file, std::ios::binary);
   content_.assign(std::istreambuf_iterator<char>(stream), {});
   if (content_.empty()) throw Error(name_, "the file is empty");
-  if (content_.starts_with("\xff\xfe") || content_.starts_with("\xfe\xff"))
-    content_ = from_utf16(content_);
-  else if (content_.starts_with("\xef\xbb\xbf"))
-    content_.erase(0, 3);
+  content_ = city::to_utf8(std::move(content_));
+  if (content_.starts_with("\xef\xbb\xbf")) content_.erase(0, 3);
   content_ = city::decode_text(std::move(content_));
   if (const std::size_t end = content_.find('\x1a'); end != std::string::npos) content_.resize(end);
   if (content_.find('\0') != std::string::npos) throw Error(name_, "not a text file");

@@ -29,6 +29,7 @@ using nlohmann::json;
 struct ElevateArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path out, dem;
+  std::string dem_crs;  // "": that of the recipe's [terrain] dem_crs
   elevation::ElevationServiceOptions service;
   int wait_ms = 1000;
   bool json = false;
@@ -47,6 +48,8 @@ bake::BakeOptions read_options(const ElevateArguments& arguments) {
   if (options.city.files.empty() && arguments.dem.empty() && arguments.service.url.empty())
     throw UsageError(options.city.name(),
                      "nothing to take heights from: give a city model, --dem or --service");
+  if (!arguments.dem_crs.empty() && arguments.dem.empty())
+    throw UsageError("--dem-crs", "names the CRS of the raster of --dem, which is not given");
   return options;
 }
 
@@ -56,7 +59,9 @@ Outcome elevate(const ElevateArguments& arguments) {
   elevation::ElevationSources sources;
   std::optional<elevation::DemRaster> dem;
   if (!arguments.dem.empty())
-    sources.dem = &dem.emplace(arguments.dem, options.city.ground.max_dem_block_mpx);
+    sources.dem = &dem.emplace(
+        arguments.dem, options.city.ground.max_dem_block_mpx,
+        arguments.dem_crs.empty() ? options.city.ground.elevation_crs : arguments.dem_crs);
   ShownProgress progress;
   if (city.has_model()) {
     city.require_lon_lat("lamps have no place in it");
@@ -142,6 +147,9 @@ void add_elevate_command(CLI::App& app) {
                              "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");
   command->add_option("--dem", arguments->dem,
                       "Raster of heights (GeoTIFF, ...) for lamps outside the model");
+  command->add_option("--dem-crs", arguments->dem_crs,
+                      "CRS of that raster where it names none, as tables of x y z do "
+                      "(EPSG:25832); without it that of a .prj beside it, or [terrain] dem_crs");
   command->add_option("--service", arguments->service.url,
                       "Service for the lamps that are still without a height, compatible with "
                       "Open-Elevation: http://.../api/v1/lookup");

@@ -86,6 +86,8 @@ void look_at_map(SurveyedFile& file) {
 
 void look_at_table(SurveyedFile& file) {
   const inventory::TableLook look = inventory::look_at_table(file.path);
+  // Many kinds of JSON have lists of objects.
+  if (!look.has_points && look.format == "JSON") throw inventory::NoTable("", "has no points");
   if (!look.has_points) {
     file.what = look.format + " without points: a table of lamps has a point in each row";
     return;
@@ -169,8 +171,11 @@ SurveyedFile look_at(const fs::path& path) {
   if (inventory::is_named_as_table(path)) {
     const std::string as_other = std::exchange(why, {});
     if (attempt(look_at_table)) return file;
-    // What a table lacks says more than that it is no city model; of JSON there are many kinds.
-    if (to_lower(path.extension().string()) == ".json" && !is_table) why = as_other;
+    // The words for what a table lacks say more than that it is no city model; but JSON and archives may be
+    // anything.
+    constexpr std::array<std::string_view, 6> of_all_kinds{".json", ".jsonl", ".ndjson",
+                                                           ".gz",   ".zip",   ".shz"};
+    if (!is_table && city::ends_with_any(to_lower(path.string()), of_all_kinds)) why = as_other;
   }
   if (attempt(look_at_raster)) return file;
   file.use = Use::nothing;

@@ -24,6 +24,7 @@
 #include "tools/terrain/height_unit.h"
 #include "tools/terrain/raster_crs.h"
 #include "tools/terrain/raster_formats.h"
+#include "tools/terrain/raster_transform.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -152,9 +153,9 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   for (int i = 1; i <= s.dataset->GetRasterCount(); ++i)
     refuse_large_blocks(*s.dataset->GetRasterBand(i), max_block_mpx, s.name);
   double from_pixel[6];
-  if (s.dataset->GetGeoTransform(from_pixel) != CE_None ||
-      !GDALInvGeoTransform(from_pixel, s.to_pixel))
-    throw Error(s.name, "names no place on earth: it has no geotransform");
+  find_raster_transform(*s.dataset, s.name, from_pixel);
+  if (!GDALInvGeoTransform(from_pixel, s.to_pixel))
+    throw Error(s.name, "has a geotransform without extent: all of its pixels lie on a line");
   int said = 0;
   if (const double value = s.band->GetNoDataValue(&said); said) s.no_data = value;
   if (const double value = s.band->GetScale(&said); said && value != 0) s.scale = value;

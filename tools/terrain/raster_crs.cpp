@@ -30,14 +30,22 @@ std::optional<OGRSpatialReference> find_raster_crs(GDALDataset& raster,
                                                    const std::filesystem::path& file,
                                                    const std::string& otherwise) {
   if (const OGRSpatialReference* own = raster.GetSpatialRef(); own && !own->IsEmpty()) return *own;
+  if (const OGRSpatialReference* own = raster.GetGCPSpatialRef();
+      raster.GetGCPCount() > 0 && own && !own->IsEmpty())
+    return *own;
   if (auto beside = read_prj(file)) return beside;
   if (otherwise.empty()) return std::nullopt;
   OGRSpatialReference crs;
   constexpr const char* const no_files[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO",
                                             nullptr};
   if (crs.SetFromUserInput(otherwise.c_str(), no_files) != OGRERR_NONE)
+    throw Error(file.string(), "PROJ does not know the CRS \"" + otherwise +
+                                   "\" that [terrain] dem_crs or --dem-crs gives it");
+  if (!crs.IsProjected() && !crs.IsGeographic())
     throw Error(file.string(),
-                "PROJ does not know the CRS \"" + otherwise + "\" that [terrain] dem_crs gives it");
+                "the CRS \"" + otherwise +
+                    "\" that [terrain] dem_crs or --dem-crs gives it places nothing on "
+                    "a map: it is neither projected nor geographic");
   return crs;
 }
 

@@ -110,6 +110,23 @@ TEST(CityJson, AReferenceSystemThatIsANumberIsACodeAndOthersAreCounted) {
   EXPECT_EQ(read("{\"type\":\"ProjectedCRS\"}").skipped.at("referenceSystem that is no text"), 1u);
 }
 
+TEST(CityJson, AReferenceSystemMayBePROJJSON) {
+  const auto srs_name = [](const std::string& system) {
+    return read_city(
+               "{\"type\":\"CityJSON\",\"version\":\"2.0\",\"metadata\":{\"referenceSystem\":" +
+               system + "},\"CityObjects\":{},\"vertices\":[]}")
+        .report.srs_name;
+  };
+  EXPECT_EQ(srs_name(R"({"type":"ProjectedCRS","name":"ETRS89 / UTM zone 33N",
+                         "id":{"authority":"EPSG","code":25833}})"),
+            "EPSG:25833");
+  EXPECT_EQ(srs_name(R"({"type":"CompoundCRS", "name":"grid"})"),
+            R"({"type":"CompoundCRS","name":"grid"})")
+      << "without a code PROJ reads all of it";
+  EXPECT_EQ(srs_name(R"({"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::28992"}})"),
+            "EPSG:28992");
+}
+
 TEST(CityJson, TheFinestOfRefinedLevelsIsTaken) {
   const std::string square =
       "{\"type\":\"MultiSurface\",\"lod\":\"0\",\"boundaries\":[[[0,1,2,3]]]}";

@@ -11,7 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace nightcity::test;
   std::string_view text(reinterpret_cast<const char*>(data), size);
   static const TempFolder folder;
-  const auto path = folder / (text.starts_with('{') ? "lamps.geojson" : "lamps.csv");
+  const auto path =
+      folder / (text.starts_with('{') || text.starts_with('[') ? "lamps.geojson" : "lamps.csv");
   write_text(path, text);
   abort_with(find_fault_of_inventory(path));
   while (!text.empty()) {

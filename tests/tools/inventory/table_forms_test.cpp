@@ -72,6 +72,8 @@ TEST(TableForms, WordsThatSayMoreMayStandBesideACoordinatesName) {
                             "経度,緯度",
                             "经度,纬度",
                             "Долгота,Широта",
+                            "coords.long,coords.lat",
+                            "geom_x_y.lon,geom_x_y.lat",
                             "Længdegrad,Breddegrad"}) {
     expect_place(folder, names, "13.4,52.5");
   }
@@ -150,12 +152,6 @@ TEST(TableForms, AnObjectALineMayBeginWithAMark) {
                         "")
                   .lamps.size(),
               2u);
-}
-
-TEST(TableForms, AListOfJsonIsNamed) {
-  const TempFolder folder;
-  EXPECT_NE(why_not(folder, "a.json", "[" + std::string(one_feature) + "]").find("list in JSON"),
-            std::string::npos);
 }
 
 TEST(TableForms, APageOfRowsWithALinkToTheNextIsTold) {

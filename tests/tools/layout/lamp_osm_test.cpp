@@ -59,5 +59,21 @@ TEST(LampOsm, ColoursThatAreNoTemperatureAreReadBack) {
     EXPECT_LT(glm::distance(before.lamps[n].colour, after.lamps[n].colour), 0.03) << n;
 }
 
+TEST(LampOsm, EachLampNamesWhereItIsFrom) {
+  osm::OsmData osm;
+  osm.lamps = {{7, {0, 0}, {{"highway", "street_lamp"}}}, {8, {0.001, 0}, {}}};
+  osm.lamps[1].is_inventory = true;
+  const lights::LampSet lamps = lights::place_lamps(osm, test::to_plane, test::plane);
+  ASSERT_EQ(lamps.lamps.size(), 2u);
+  const test::TempFolder folder;
+  write_lamp_osm(folder / "lamps.osm", lamps.lamps,
+                 [](const glm::dvec2& p) { return p / test::metres_per_degree; });
+  const std::string text = test::read_text(folder / "lamps.osm");
+  EXPECT_NE(text.find("v=\"OpenStreetMap node 7\""), std::string::npos) << text;
+  EXPECT_NE(text.find("v=\"inventory of lamps, row 8\""), std::string::npos)
+      << "a town's lamp is no node of OpenStreetMap\n"
+      << text;
+}
+
 }  // namespace
 }  // namespace nightcity::layout

@@ -154,7 +154,8 @@ TEST_F(LuminaireForms, LineEndsAndEncodingsDoNotMatter) {
       little += {units[n + 1], units[n]};
     }
   }
-  for (const std::string& wide : {little, big}) {
+  // Zeros in every second place say the same as the mark.
+  for (const std::string& wide : {little, big, little.substr(2), big.substr(2)}) {
     EXPECT_NEAR(flux(wide), hemisphere_lm, 1e-9);
     EXPECT_EQ(read(wide).name, "P\xf0\x9f\x92\xa1");
   }

@@ -216,6 +216,30 @@ TEST(ElevateCommand, WritesTheModelsHeightsIntoTheMap) {
       1);
 }
 
+// A table of heights names no CRS.
+TEST(ElevateCommand, TheCrsOfARasterIsSaidOnTheCommandLine) {
+  const TempFolder folder;
+  write_text(folder / "map.osm",
+             "<osm version=\"0.6\"><node id=\"1\" lat=\"52.510303463\" lon=\"13.394162598\">"
+             "<tag k=\"highway\" v=\"street_lamp\"/></node></osm>");
+  std::string rows;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      rows += std::to_string(391000 + 10 * x) + " " + std::to_string(5819000 + 10 * y) + " 37.5\n";
+  write_text(folder / "dem.xyz", rows);
+  const std::string command = "elevate " + quoted(folder / "map.osm") + "-o " +
+                              quoted(folder / "high.osm") + "--dem " + quoted(folder / "dem.xyz");
+  const Outcome without = nightbake(command);
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_NE(without.err.find("--dem-crs"), std::string::npos) << without.err;
+  EXPECT_EQ(nightbake(command + "--dem-crs EPSG:1").exit_code, 1);
+  const Outcome with = nightbake(command + "--dem-crs EPSG:25833");
+  ASSERT_EQ(with.exit_code, 0) << with.err;
+  EXPECT_NE(test::read_text(folder / "high.osm").find("k=\"ele\" v=\"37.50\""), std::string::npos);
+  EXPECT_EQ(nightbake("elevate " + quoted(folder / "map.osm") + "--dem-crs EPSG:25833").exit_code,
+            2);
+}
+
 TEST(InspectCommand, TellsALuminairesFluxAndPeak) {
   const TempFolder folder;
   // Lambertian to 90 degrees: 1000 cd straight down are 1000 pi lumens of a dense grid.

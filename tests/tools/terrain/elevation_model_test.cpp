@@ -355,6 +355,8 @@ TEST(ElevationModel, ATableOfHeightsHasTheCrsBesideItOrTheOneGiven) {
   const ElevationModel given(folder / "a.xyz", default_max_block_mpx, "EPSG:25833");
   EXPECT_NEAR(sample(given, {place})[0], 37.5, 1e-9);
   EXPECT_THROW(ElevationModel(folder / "a.xyz", default_max_block_mpx, "EPSG:1"), Error);
+  EXPECT_THROW(ElevationModel(folder / "a.xyz", default_max_block_mpx, "EPSG:5709"), Error)
+      << "a system of heights";
   GDALAllRegister();
   OGRSpatialReference crs;
   crs.importFromEPSG(25833);
@@ -365,6 +367,72 @@ TEST(ElevationModel, ATableOfHeightsHasTheCrsBesideItOrTheOneGiven) {
   CPLFree(text);
   const ElevationModel beside(folder / "a.xyz", default_max_block_mpx, "EPSG:25832");
   EXPECT_NEAR(sample(beside, {place})[0], 37.5, 1e-9) << "its own goes before the one given";
+}
+
+// A plane is met at every place, whatever parallelogram the pixels are.
+TEST(ElevationModel, PixelsMayLieAslantOrBePlacedByPoints) {
+  const TempFolder folder;
+  GDALAllRegister();
+  constexpr int size = 40;
+  const auto height = [](double x, double y) { return plane(x - 391000, y - 5819000); };
+  const auto write = [&](const double(&transform)[6], bool by_points, double bent) {
+    GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        (folder / "a.tif").c_str(), size, size, 1, GDT_Float64, nullptr));
+    OGRSpatialReference crs;
+    crs.importFromEPSG(25833);
+    const auto place = [&](double i, double j) {
+      return glm::dvec2(transform[0] + i * transform[1] + j * transform[2],
+                        transform[3] + i * transform[4] + j * transform[5]);
+    };
+    std::array<GDAL_GCP, 5> points{};
+    GDALInitGCPs(static_cast<int>(points.size()), points.data());
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      GDAL_GCP& point = points[n];
+      point.dfGCPPixel = n % 2 == 1 ? size : n == 4 ? size / 2 : 0;
+      point.dfGCPLine = n == 2 || n == 3 ? size : n == 4 ? size / 2 : 0;
+      const glm::dvec2 at = place(point.dfGCPPixel, point.dfGCPLine);
+      point.dfGCPX = at.x + (n == 4 ? bent : 0);
+      point.dfGCPY = at.y;
+    }
+    if (by_points) {
+      set->SetGCPs(static_cast<int>(points.size()), points.data(), &crs);
+    } else {
+      set->SetGeoTransform(const_cast<double*>(transform));
+      set->SetSpatialRef(&crs);
+    }
+    GDALDeinitGCPs(static_cast<int>(points.size()), points.data());
+    std::vector<double> values;
+    for (int j = 0; j < size; ++j)
+      for (int i = 0; i < size; ++i) {
+        const glm::dvec2 at = place(i + 0.5, j + 0.5);
+        values.push_back(height(at.x, at.y));
+      }
+    ASSERT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, size, size, values.data(), size, size,
+                                              GDT_Float64, 0, 0),
+              CE_None);
+  };
+  // (391020, 5819010) of EPSG:25833 (dem_raster_test.cpp).
+  const glm::dvec2 place(13.394162598, 52.510303463);
+  for (const bool by_points : {false, true})
+    for (const auto& transform : {std::to_array<double>({390980, 2, 0, 5819050, 0, -2}),
+                                  std::to_array<double>({390980, 1.7, 1, 5819010, 1, -1.7}),
+                                  std::to_array<double>({390980, 2, 0.7, 5819050, 0, -2}),
+                                  std::to_array<double>({391060, -2, 0, 5818970, 0, 2})}) {
+      double six[6];
+      std::copy(transform.begin(), transform.end(), six);
+      write(six, by_points, 0);
+      EXPECT_NEAR(sample(ElevationModel(folder / "a.tif"), {place})[0], height(391020, 5819010),
+                  0.001)
+          << by_points << " " << transform[1] << " " << transform[2];
+    }
+  const double straight[6] = {390980, 2, 0, 5819050, 0, -2};
+  write(straight, true, 30);
+  try {
+    ElevationModel(folder / "a.tif");
+    FAIL() << "was placed";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("gdalwarp -t_srs"), std::string::npos) << error.what();
+  }
 }
 
 TEST(ElevationModel, BytesAreTold) {

@@ -165,7 +165,8 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
       "same place are luminaires of one post. What a row does not say comes from the road beside "
       "the lamp, as for lamps of the map.",
       {{"file", "path", "", "", "", "\"lamps.geojson\"",
-        "GeoJSON, CSV, GeoPackage, Shapefile or FlatGeobuf, unpacked. Required.",
+        "GeoJSON, CSV, GeoPackage, Shapefile, FlatGeobuf, or rows in JSON as servers answer; "
+        "plain, or as the only table in a .zip or .gz. Required.",
         [&row, folder](const Value& value) {
           row.file = (folder / value.text()).lexically_normal();
         }},

@@ -1,0 +1,128 @@
+#include "tools/inventory/table_text.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "formats/to_lower.h"
+#include "tools/city/foreign_format.h"
+
+namespace nightcity::inventory {
+namespace {
+
+constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+constexpr std::string_view double_prime = "\xe2\x80\xb3";
+
+// Returns whether a table begins with the line that tells Excel which sign separates its columns.
+bool begins_with_separator(std::string_view text) {
+  if (text.starts_with(utf8_mark)) text.remove_prefix(utf8_mark.size());
+  return to_lower(text.substr(0, 4)) == "sep=";
+}
+
+// Returns whether bars separate the columns of a table, which GDAL takes for text: its first line
+// has no other separator.
+bool has_bars(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return line.find('|') != line.npos && line.find_first_of(",;\t") == line.npos;
+}
+
+// Returns whether a table begins with lines of nothing, in which GDAL finds no column.
+bool begins_with_blank_line(std::string_view text) {
+  if (text.starts_with(utf8_mark)) text.remove_prefix(utf8_mark.size());
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first != text.npos && (text[first] == '\r' || text[first] == '\n');
+}
+
+// Returns whether a table begins with a line behind '#' that is no heading: another follows, or one
+// of more columns.
+bool begins_with_comment(std::string_view text) {
+  if (!text.starts_with('#')) return false;
+  const std::size_t end = text.find('\n');
+  if (end == text.npos) return false;
+  const auto count = [](std::string_view line) {
+    return std::count_if(line.begin(), line.end(),
+                         [](char c) { return c == ',' || c == ';' || c == '|' || c == '\t'; });
+  };
+  const std::string_view next = text.substr(end + 1);
+  return next.starts_with('#') ||
+         count(text.substr(0, end)) < count(next.substr(0, next.find('\n')));
+}
+
+// Makes tabs of bars but for those in quotation marks.
+void replace_bars(std::string& text) {
+  bool quoted = false;
+  for (char& c : text) {
+    if (c == '"') quoted = !quoted;
+    if (c == '|' && !quoted) c = '\t';
+  }
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Returns the place of the next quotation mark that stands behind a number in a cell which does not
+// begin with one; npos without. GDAL would take all up to the next such mark for one cell. `quoted`
+// says whether a quoted cell goes on at `at`.
+std::size_t find_seconds(std::string_view text, std::size_t at, bool& quoted) {
+  constexpr std::string_view borders = ",;|\t\r\n";
+  for (at = text.find('"', at); at != text.npos; at = text.find('"', at + 1)) {
+    if (quoted) {
+      const bool is_doubled = at + 1 < text.size() && text[at + 1] == '"';
+      if (is_doubled)
+        ++at;
+      else
+        quoted = false;
+      continue;
+    }
+    std::size_t before = at;
+    while (before > 0 && text[before - 1] == ' ') --before;
+    if (before == 0 || borders.find(text[before - 1]) != borders.npos ||
+        text.substr(0, before) == utf8_mark)
+      quoted = true;
+    else if (is_digit(text[before - 1]))
+      return at;
+  }
+  return text.npos;
+}
+
+void replace_seconds(std::string& text) {
+  bool quoted = false;
+  std::size_t at = find_seconds(text, 0, quoted), copied = 0;
+  if (at == text.npos) return;
+  std::string out;
+  for (; at != text.npos; at = find_seconds(text, at + 1, quoted)) {
+    out.append(text, copied, at - copied);
+    out += double_prime;
+    copied = at + 1;
+  }
+  out.append(text, copied);
+  text = std::move(out);
+}
+
+// Returns whether a table has a single column, which GDAL takes for text.
+bool has_one_column(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return line.size() < text.size() && line.find_first_of(",;|\t") == line.npos &&
+         line.find('\0') == line.npos && city::name_foreign(text, "").empty();
+}
+
+}  // namespace
+
+bool is_odd_csv(std::string_view start) {
+  bool quoted = false;
+  return begins_with_separator(start) || begins_with_comment(start) || has_bars(start) ||
+         begins_with_blank_line(start) || has_one_column(start) ||
+         find_seconds(start, 0, quoted) != start.npos;
+}
+
+void straighten_csv(std::string& text) {
+  if (text.starts_with(utf8_mark)) text.erase(0, utf8_mark.size());
+  if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
+  while (begins_with_comment(text)) text.erase(0, text.find('\n') + 1);
+  while (begins_with_blank_line(text)) text.erase(0, text.find_first_of("\r\n") + 1);
+  replace_seconds(text);
+  if (has_bars(text)) replace_bars(text);
+  if (has_one_column(text)) text.insert(text.find_first_of("\r\n"), "\t");
+}
+
+}  // namespace nightcity::inventory
