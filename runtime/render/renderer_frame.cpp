@@ -1,4 +1,4 @@
-// What a frame is told: its gpu::Frame, with the buffers that it reads and writes.
+// Fills in what shaders read of a frame: its gpu::Frame, with the buffers that it reads and writes.
 #include "runtime/render/frame_values.h"
 #include "runtime/render/renderer.h"
 

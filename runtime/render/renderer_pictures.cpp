@@ -1,4 +1,4 @@
-// What a renderer shows and hands out of its frames: the display, pictures with layers, and figures.
+// The results of a renderer: what the display shows, pictures with their layers, and figures.
 #include "runtime/measure/upscale.h"
 #include "runtime/render/frame_values.h"
 #include "runtime/render/image_layers.h"

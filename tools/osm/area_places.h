@@ -1,4 +1,4 @@
-// The places of a map's nodes, for the ways that areas are made of, and which elements are selected.
+// The places of a map's nodes, for the ways that areas are made of, and what is selected.
 // Included by the one file that assembles areas, because libosmium is slow to compile.
 #pragma once
 

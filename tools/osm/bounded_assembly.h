@@ -65,8 +65,8 @@ class BoundedAssembler {
 };
 
 /// Hands relations on that are selected or that their outer ways may select, but for those of a way
-// that others name as well, very often. Relations share borders, but few of them one; and for each that is complete, libosmium looks at all members that
-// any relation has in the same way.
+/// that others name as well, very often. Relations share borders, but few of them one; and for each
+/// that is complete, libosmium looks at all members that any relation has in the same way.
 template <class Manager>
 class RelationGate : public osmium::handler::Handler {
  public:
