@@ -1,0 +1,43 @@
+// Checks that hold for every settings file, broken or not: for the fuzz target and the test of its
+// corpus.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "formats/error.h"
+#include "runtime/render/settings_file.h"
+#include "support/temp_folder.h"
+
+namespace nightcity::test {
+
+/// Returns what is wrong with how the file is read; "" where it is sound, or refused with a reason.
+inline std::string find_fault_of_settings(const std::filesystem::path& path) {
+  using namespace render;
+  const auto apply = [](const SettingsFile& file) {
+    RenderSettings settings;
+    apply_settings_file(file, settings, [](const std::string&) { return false; });
+    return settings;
+  };
+  try {
+    const SettingsFile file = read_settings_file(path);
+    const RenderSettings settings = apply(file);
+    describe_changes(settings);
+    // What is written of it means the same.
+    static const TempFolder folder;
+    SettingsFile written = file;
+    written.path = folder / "again.toml";
+    write_settings_file(written, "a comment\nof two lines");
+    const SettingsFile again = read_settings_file(written.path);
+    if (!list_changes(apply(again), settings).empty()) return "what is written";
+    if (again.render.size() != file.render.size() || again.window.size() != file.window.size())
+      return "the number of keys that are written";
+  } catch (const Error& error) {
+    if (std::string(error.what()).empty()) return "an error without words";
+    if (std::string(error.what()).find("again.toml") != std::string::npos)
+      return "a file that is written and refused: " + std::string(error.what());
+  }
+  return "";
+}
+
+}  // namespace nightcity::test
