@@ -2,6 +2,7 @@
 // corpus.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -30,8 +31,13 @@ inline std::string find_fault_of_settings(const std::filesystem::path& path) {
     write_settings_file(written, "a comment\nof two lines");
     const SettingsFile again = read_settings_file(written.path);
     if (!list_changes(apply(again), settings).empty()) return "what is written";
-    if (again.render.size() != file.render.size() || again.window.size() != file.window.size())
-      return "the number of keys that are written";
+    const auto is_same = [](const NamedText& a, const NamedText& b) {
+      return a.name == b.name && a.text == b.text;
+    };
+    for (const auto table : {&SettingsFile::render, &SettingsFile::window})
+      if (!std::equal((file.*table).begin(), (file.*table).end(), (again.*table).begin(),
+                      (again.*table).end(), is_same))
+        return "the keys and values that are written";
   } catch (const Error& error) {
     if (std::string(error.what()).empty()) return "an error without words";
     if (std::string(error.what()).find("again.toml") != std::string::npos)

@@ -27,8 +27,7 @@ TEST(RasterCorpus, EveryRasterIsReadOrRefused) {
 }
 
 TEST(RasterCorpus, HoldsWholeRastersOfSeveralFormats) {
-  for (const char* name :
-       {"degrees.tif", "tiled.tif", "plane.asc", "plane.nc", "plane.bt", "plane.hf2"}) {
+  for (const char* name : {"degrees.tif", "tiled.tif", "plane.asc", "plane.nc", "plane.hf2"}) {
     const std::string bytes = test::read_text(raster_corpus / name);
     const test::TempFolder folder;
     test::write_text(folder / test::name_raster(bytes), bytes);
