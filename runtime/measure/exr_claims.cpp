@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <string>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "formats/error.h"
 #include "runtime/measure/limits.h"
@@ -19,6 +21,34 @@ namespace {
 
 constexpr std::size_t header_begin = 8;  // behind the mark and the version
 constexpr std::size_t max_channels = 256;
+
+// Types of attributes whose values have one size. OpenEXR reads so many bytes of them, whatever the
+// file says that they have, and goes on behind.
+using SizedType = std::pair<std::string_view, std::size_t>;
+constexpr SizedType fixed_sizes[] = {{"box2f", 16},
+                                     {"box2i", 16},
+                                     {"chromaticities", 32},
+                                     {"compression", 1},
+                                     {"double", 8},
+                                     {"envmap", 1},
+                                     {"float", 4},
+                                     {"deepImageState", 1},
+                                     {"int", 4},
+                                     {"keycode", 28},
+                                     {"lineOrder", 1},
+                                     {"m33d", 72},
+                                     {"m33f", 36},
+                                     {"m44d", 128},
+                                     {"m44f", 64},
+                                     {"rational", 8},
+                                     {"tiledesc", 9},
+                                     {"timecode", 8},
+                                     {"v2d", 16},
+                                     {"v2f", 8},
+                                     {"v2i", 8},
+                                     {"v3d", 24},
+                                     {"v3f", 12},
+                                     {"v3i", 12}};
 
 // Goes through the attributes of a file's headers.
 class Attributes {
@@ -30,34 +60,65 @@ class Attributes {
     constexpr std::uint32_t multi_part = 0x1000;
     const bool has_parts = (read_number(4) & multi_part) != 0;
     do {
-      while (const std::size_t length = pass_text()) {
-        if (length == std::string::npos || pass_text() == std::string::npos) return;
-        if (bytes_.size() - position_ < 4) return;
+      while (const auto name = take_text()) {
+        if (name->empty()) break;
+        const auto type = take_text();
+        if (!type || bytes_.size() - position_ < 4) return;
         const std::uint32_t size = read_number(position_);
         position_ += 4;
-        if (size > bytes_.size() - position_)
-          throw Error({}, fmt::format("byte {}", position_ - 4),
-                      fmt::format("an attribute claims {} bytes, and the file ends before", size));
-        position_ += size;
+        if (size > bytes_.size() - position_) fail(*name, size, "and the file ends before");
+        const std::size_t end = position_ + size;
+        if (!is_whole(*type, end)) fail(*name, size, "which are none of its type");
+        position_ = end;
       }
     } while (has_parts && position_ < bytes_.size() && bytes_[position_] != std::byte{0});
   }
 
  private:
+  [[noreturn]] void fail(std::string_view name, std::uint32_t size, const char* why) const {
+    throw Error({}, fmt::format("byte {}", position_ - 4),
+                fmt::format("attribute {} claims {} bytes, {}", name, size, why));
+  }
+
+  // Returns whether a value that begins here ends at `end`.
+  bool is_whole(std::string_view type, std::size_t end) {
+    for (const auto& [fixed, size] : fixed_sizes)
+      if (type == fixed) return end - position_ == size;
+    if (type == "chlist") {
+      constexpr std::size_t channel_bytes = 16;
+      while (const auto name = take_text()) {
+        if (name->empty() || position_ > end) break;
+        position_ += std::min(channel_bytes, bytes_.size() - position_);
+      }
+      return position_ == end;
+    }
+    if (type == "stringvector") {
+      while (position_ + 4 <= end && read_number(position_) <= end - position_ - 4)
+        position_ += 4 + read_number(position_);
+      return position_ == end;
+    }
+    if (type == "preview")
+      return end - position_ >= 8 &&
+             std::uint64_t{read_number(position_)} * read_number(position_ + 4) ==
+                 (end - position_ - 8) / 4;
+    if (type == "floatvector") return (end - position_) % 4 == 0;
+    return type != "idmanifest" || end - position_ >= 4;
+  }
+
   std::uint32_t read_number(std::size_t at) const {
     std::uint32_t number = 0;
     if (at + sizeof number <= bytes_.size()) std::memcpy(&number, &bytes_[at], sizeof number);
     return number;
   }
 
-  // Returns the length of the text that begins here, npos where it does not end; passes its end.
-  std::size_t pass_text() {
-    const auto begin = bytes_.begin() + static_cast<std::ptrdiff_t>(position_);
-    const auto end = std::find(begin, bytes_.end(), std::byte{0});
-    if (end == bytes_.end()) return std::string::npos;
-    const auto length = static_cast<std::size_t>(end - begin);
+  // Returns the text that begins here, nothing where it does not end; passes its end.
+  std::optional<std::string_view> take_text() {
+    const auto rest = bytes_.subspan(position_);
+    const auto end = std::find(rest.begin(), rest.end(), std::byte{0});
+    if (end == rest.end()) return std::nullopt;
+    const auto length = static_cast<std::size_t>(end - rest.begin());
     position_ += length + 1;
-    return length;
+    return std::string_view(reinterpret_cast<const char*>(rest.data()), length);
   }
 
   std::span<const std::byte> bytes_;
