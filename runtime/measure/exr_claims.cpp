@@ -60,7 +60,9 @@ class Attributes {
     constexpr std::uint32_t multi_part = 0x1000;
     const bool has_parts = (read_number(4) & multi_part) != 0;
     do {
-      while (const auto name = take_text()) {
+      while (true) {
+        const auto name = take_text();
+        if (!name) return;
         if (name->empty()) break;
         const auto type = take_text();
         if (!type || bytes_.size() - position_ < 4) return;
