@@ -14,8 +14,8 @@
 
 namespace nightcity {
 
-/// Returns the arena of so many threads, the same in each call: TBB 2021.8 takes longer for an arena
-/// the more there have been.
+/// Returns the arena of so many threads, the same in each call: TBB 2021.8 takes the longer for an
+/// arena the more there have been.
 inline oneapi::tbb::task_arena& keep_arena(int threads) {
   static std::mutex mutex;
   // Never destroyed: TBB may be gone before.

@@ -34,7 +34,7 @@ std::string read_start(const Document& document, std::size_t most);
 /// fiftieth of the time that a reader takes, over a compressed document a quarter.
 bool mentions(const Document& document, std::string_view text);
 
-/// What a file holds.
+/// The contents of a file.
 struct FileContents {
   std::vector<Document> documents;  // in order
   // Names of an archive's entries that are packed themselves, by their endings, and so are no

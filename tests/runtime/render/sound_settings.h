@@ -26,7 +26,7 @@ inline std::string find_fault_of_settings(const std::filesystem::path& path) {
     const SettingsFile file = read_settings_file(path);
     const RenderSettings settings = apply(file);
     describe_changes(settings);
-    // What is written of it means the same.
+    // A file that is written of it means the same.
     SettingsFile written = file;
     written.path = copy;
     write_settings_file(written, "a comment\nof two lines");
