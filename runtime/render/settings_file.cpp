@@ -143,12 +143,19 @@ std::string to_key(const std::string& name) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
            c == '-';
   };
-  if (name.empty()) return "\"\"";
-  if (std::all_of(name.begin(), name.end(), is_bare)) return name;
-  std::ostringstream out;
-  out << toml::table{{name, true}};
-  const std::string entry = out.str();
-  return entry.substr(0, entry.rfind(" = true"));
+  if (!name.empty() && std::all_of(name.begin(), name.end(), is_bare)) return name;
+  std::string text = "\"";
+  for (const char c : name) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f) {
+      constexpr char digits[] = "0123456789ABCDEF";
+      text += std::string("\\u00") + digits[code / 16] + digits[code % 16];
+    } else {
+      if (c == '"' || c == '\\') text += '\\';
+      text += c;
+    }
+  }
+  return text + '"';
 }
 
 std::string to_toml(const char* name, const std::vector<NamedText>& table) {
