@@ -1,41 +1,15 @@
-// Files that appear under their names whole or not at all, and files without names.
+// Files that appear under their names whole or not at all.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string_view>
 
+#include "formats/buffered_stream.h"
 #include "formats/signals.h"
 
 namespace nightcity {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const noexcept { std::fclose(file); }
-};
-
-/// An open file with a large buffer of its own.
-class BufferedStream {
- public:
-  BufferedStream() = default;
-  /// Takes the descriptor; `path` is for messages.
-  BufferedStream(int descriptor, const std::filesystem::path& path);
-  std::FILE* get() const { return file_.get(); }
-  void reset() { file_.reset(); }
-
- private:
-  struct FreeBuffer {
-    void operator()(char* buffer) const noexcept;
-  };
-  std::unique_ptr<char, FreeBuffer> buffer_;  // first: closing the file writes what it holds
-  std::unique_ptr<std::FILE, CloseFile> file_;
-};
-
-/// Returns the folder for files that belong to no output: the one that TMPDIR names, or /tmp.
-/// Throws Error where that is no folder that can be written into.
-std::filesystem::path scratch_folder();
 
 /// A file that appears under its name when commit() is called, and not at all when it is destroyed
 /// before that.
@@ -96,36 +70,7 @@ class AtomicPath {
   bool is_stream_ = false, is_committed_ = false;
 };
 
-/// Waits until the disk has the names in `folder`, where the file system can do that.
-void sync_folder(const std::filesystem::path& folder) noexcept;
-
 /// Appends the bytes of `source` to `target`.
 void copy_file(const std::filesystem::path& source, AtomicFile& target);
-
-/// Bytes kept out of memory until they are wanted: a file without a name in the folder of `path`,
-/// so that nothing can be left behind even when the program is killed.
-class ScratchFile {
- public:
-  explicit ScratchFile(const std::filesystem::path& path);
-
-  void write(const void* bytes, std::size_t size);
-  /// Zero bytes up to the next multiple of `alignment`.
-  void align(std::size_t alignment);
-  std::uint64_t size() const { return size_; }
-  /// Writes what is buffered to the file. Until the next write, many threads may then read.
-  void flush();
-  void read(std::uint64_t offset, void* bytes, std::size_t size);
-  void copy_to(AtomicFile& target);
-  void copy_to(ScratchFile& target);
-
- private:
-  template <class Target>
-  void copy(Target& target);
-
-  std::filesystem::path path_;
-  BufferedStream file_;
-  std::uint64_t size_ = 0;
-  bool unflushed_ = false;
-};
 
 }  // namespace nightcity

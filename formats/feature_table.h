@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/atomic_file.h"
 #include "formats/scene.h"
+#include "formats/scratch_file.h"
 
 namespace nightcity {
 

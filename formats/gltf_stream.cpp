@@ -31,6 +31,10 @@ nlohmann::json to_json(const glm::dvec3& vector) {
   return {vector.x, vector.y, vector.z};
 }
 
+nlohmann::json to_json(const glm::dquat& rotation) {
+  return {rotation.x, rotation.y, rotation.z, rotation.w};
+}
+
 std::size_t Stream::add_view(std::uint64_t offset, std::uint64_t size, int target) {
   nlohmann::json view = {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}};
   if (target != 0) view["target"] = target;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,14 +12,15 @@
 #include <span>
 #include <string>
 
-#include "formats/atomic_file.h"
 #include "formats/json_text.h"
+#include "formats/scratch_file.h"
 
 namespace nightcity::gltf {
 
 /// Returns the description of an accessor over `count` values of `type` ("SCALAR", "VEC3", ...).
 nlohmann::json make_accessor(int component_type, const char* type, std::size_t count);
 nlohmann::json to_json(const glm::dvec3& vector);
+nlohmann::json to_json(const glm::dquat& rotation);
 
 /// The binary chunk, and the arrays of the JSON chunk that point into it.
 struct Stream {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "formats/atomic_file.h"
+#include "formats/scratch_file.h"
 
 namespace nightcity {
 

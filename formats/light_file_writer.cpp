@@ -15,6 +15,7 @@
 #include "formats/light_file_layout.h"
 #include "formats/night_check.h"
 #include "formats/scene_identity.h"
+#include "formats/scratch_file.h"
 
 namespace nightcity {
 

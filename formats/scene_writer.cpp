@@ -3,48 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "formats/error.h"
-#include "formats/feature_table.h"
 #include "formats/finite.h"
 #include "formats/georeference_json.h"
 #include "formats/gltf_constants.h"
-#include "formats/gltf_stream.h"
 #include "formats/json_text.h"
 #include "formats/scene_places_json.h"
-#include "formats/scene_primitive_writer.h"
-#include "formats/trs.h"
+#include "formats/scene_writer_state.h"
 
 namespace nightcity {
 namespace {
 
-using gltf::make_accessor;
 using nlohmann::json;
-
-float min_of(const glm::vec3& v) {
-  return std::min({v.x, v.y, v.z});
-}
-float max_of(const glm::vec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
-
-json to_json(const glm::dquat& rotation) {
-  return {rotation.x, rotation.y, rotation.z, rotation.w};
-}
-
-// Returns the rotation that turns -z, along which a spot of KHR_lights_punctual shines, to
-// `direction`.
-glm::dquat turn_spot_to(const glm::dvec3& direction) {
-  const glm::dvec3 from(0, 0, -1), to = glm::normalize(direction);
-  const double cosine = glm::dot(from, to);
-  if (cosine < -0.999999) return {0, 0, 1, 0};  // half a turn: the cross product below vanishes
-  const glm::dvec3 axis = glm::cross(from, to);
-  return glm::normalize(glm::dquat(1 + cosine, axis.x, axis.y, axis.z));
-}
 
 json make_asset(const Georeference& georeference, const ScenePlaces& places) {
   json extras = georeference_to_json(georeference);
@@ -59,54 +31,7 @@ json make_asset(const Georeference& georeference, const ScenePlaces& places) {
   return asset;
 }
 
-json make_extras(const SceneNode& node) {
-  json extras;
-  if (!node.kind.empty()) extras["kind"] = node.kind;
-  if (!node.casts_shadow) extras["casts_shadow"] = false;
-  if (node.vehicle != no_id) extras["vehicle"] = node.vehicle;
-  return extras;
-}
-
 }  // namespace
-
-struct SceneWriter::State {
-  std::filesystem::path path;
-  Statistics statistics;
-  gltf::Stream stream;
-  PrimitiveWriter primitives;
-  FeatureTableWriter features;
-  JsonArray materials, meshes, nodes, punctual, ies, images, samplers, textures;
-  std::map<std::string, std::size_t> known_punctual;  // equal lights share a description
-  std::map<std::string, std::size_t> known_samplers, known_textures;
-  bool finished = false;
-
-  State(std::filesystem::path target, Options options)
-      : path(std::move(target)),
-        stream(path),
-        primitives(path, stream, statistics,
-                   options.draco ? std::optional(options.draco_tolerance_m) : std::nullopt),
-        features(path),
-        materials(path),
-        meshes(path),
-        nodes(path),
-        punctual(path),
-        ies(path),
-        images(path),
-        samplers(path),
-        textures(path) {}
-
-  [[noreturn]] void fail(const std::string& place, const std::string& message) const {
-    throw Error(path.string(), place, message);
-  }
-
-  void check(const ScenePunctual& light) const;
-  std::vector<Trs> find_placements(const SceneNode& node) const;
-  json write_instances(const SceneNode& node, const std::vector<Trs>& placements);
-  std::size_t write_light_description(const ScenePunctual& light);
-  json describe_texture(const SceneTexture& texture, const std::string& place);
-  json write_features();
-  void write_root(JsonText& text, const json& asset, const json& feature_table);
-};
 
 SceneWriter::SceneWriter(std::filesystem::path path, Options options)
     : state_(std::make_unique<State>(std::move(path), options)) {
@@ -193,160 +118,6 @@ std::uint32_t SceneWriter::add_mesh(const SceneMesh& mesh) {
   if (!mesh.name.empty()) result["name"] = mesh.name;
   ++s.statistics.meshes;
   return static_cast<std::uint32_t>(s.meshes.add(result));
-}
-
-void SceneWriter::add_node(const SceneNode& node) {
-  State& s = *state_;
-  if (node.mesh >= s.meshes.count())
-    s.fail("node " + std::to_string(s.nodes.count()) + " " + node.name,
-           "mesh " + std::to_string(node.mesh) + " is not there");
-  if (node.instances.empty()) return;
-  const std::vector<Trs> placements = s.find_placements(node);
-  json result = {{"mesh", node.mesh}};
-  if (!node.name.empty()) result["name"] = node.name;
-  if (const json extras = make_extras(node); !extras.is_null())
-    result["extras"] = {{gltf::extras_key, extras}};
-  if (placements.size() == 1 && node.instances[0].light == no_id &&
-      node.instances[0].feature == no_id) {
-    const auto& [translation, rotation, scale] = placements[0];
-    if (translation != glm::dvec3(0)) result["translation"] = gltf::to_json(translation);
-    if (glm::dvec3(rotation.x, rotation.y, rotation.z) != glm::dvec3(0))
-      result["rotation"] = to_json(rotation);
-    if (scale != glm::dvec3(1)) result["scale"] = gltf::to_json(scale);
-  } else {
-    result["extensions"] = s.write_instances(node, placements);
-  }
-  ++s.statistics.nodes;
-  s.statistics.instances += placements.size();
-  s.nodes.add(result);
-}
-
-std::vector<Trs> SceneWriter::State::find_placements(const SceneNode& node) const {
-  std::vector<Trs> placements;
-  placements.reserve(node.instances.size());
-  for (const SceneInstance& instance : node.instances) {
-    const auto trs = decompose(to_double(instance));
-    if (!trs)
-      fail("node " + std::to_string(nodes.count()) + " " + node.name,
-           "instance matrix is not finite, or not translation, rotation and scale");
-    placements.push_back(*trs);
-  }
-  return placements;
-}
-
-// Returns the extensions of a node with many instances. Attributes that are the default of all are
-// not written.
-json SceneWriter::State::write_instances(const SceneNode& node,
-                                         const std::vector<Trs>& placements) {
-  std::vector<glm::vec3> translations, scales;
-  std::vector<glm::vec4> rotations;
-  std::vector<std::uint32_t> lights, features;
-  bool is_rotated = false, is_scaled = false, is_lit = false;
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    const Trs& trs = placements[i];
-    translations.emplace_back(trs.translation);
-    rotations.emplace_back(trs.rotation.x, trs.rotation.y, trs.rotation.z, trs.rotation.w);
-    scales.emplace_back(trs.scale);
-    lights.push_back(node.instances[i].light);
-    features.push_back(node.instances[i].feature);
-    if (features.back() != no_id && features.back() >= this->features.size())
-      fail("node " + node.name, "feature " + std::to_string(features.back()) + " is not there");
-    is_rotated |= rotations.back() != glm::vec4(0, 0, 0, 1);
-    is_scaled |= scales.back() != glm::vec3(1);
-    is_lit |= lights.back() != no_id;
-    if (lights.back() != no_id && lights.back() >= gltf::max_id)
-      fail("node " + node.name, "light id is above 2^23 - 2");
-  }
-  json attributes;
-  const auto add = [&](const char* name, const char* type, std::size_t view) {
-    attributes[name] =
-        stream.add_accessor(make_accessor(gltf::float32, type, placements.size()), view);
-  };
-  add("TRANSLATION", "VEC3", stream.write_view(std::span<const glm::vec3>(translations)));
-  if (is_rotated) add("ROTATION", "VEC4", stream.write_view(std::span<const glm::vec4>(rotations)));
-  if (is_scaled) add("SCALE", "VEC3", stream.write_view(std::span<const glm::vec3>(scales)));
-  if (is_lit) {
-    const auto ids = to_float_ids(lights, gltf::null_light);
-    add(gltf::light_attribute, "SCALAR", stream.write_view(std::span<const float>(ids)));
-  }
-  json extensions;
-  const auto feature_ids = to_float_ids(features, gltf::null_feature_id);
-  if (const json ids = describe_feature_ids(feature_ids); !ids.is_null()) {
-    add(gltf::feature_attribute, "SCALAR", stream.write_view(std::span<const float>(feature_ids)));
-    extensions[gltf::instance_features] = {{"featureIds", ids}};
-    stream.extensions_used.insert(gltf::instance_features);
-  }
-  stream.extensions_used.insert(gltf::gpu_instancing);
-  extensions[gltf::gpu_instancing] = {{"attributes", attributes}};
-  return extensions;
-}
-
-void SceneWriter::add_punctual(const ScenePunctual& light) {
-  State& s = *state_;
-  s.check(light);
-  json node = {
-      {"translation", gltf::to_json(light.position)},
-      {"extensions", {{gltf::lights_punctual, {{"light", s.write_light_description(light)}}}}}};
-  if (light.outer_rad != 0) node["rotation"] = to_json(turn_spot_to(light.direction));
-  s.stream.extensions_used.insert(gltf::lights_punctual);
-  s.nodes.add(node);
-}
-
-void SceneWriter::State::check(const ScenePunctual& light) const {
-  const std::string place = "punctual light " + std::to_string(nodes.count());
-  if (!finite(light.position) || !finite(light.direction) || !finite(light.colour) ||
-      !(max_of(light.colour) > 0) || min_of(light.colour) < 0 ||
-      !std::isfinite(light.intensity_cd) || !(light.intensity_cd > 0))
-    fail(place, "a value is not finite or not positive");
-  constexpr double max_cone = 1.5708;  // pi / 2 and what rounding may add to it
-  if (light.outer_rad != 0 &&
-      !(light.inner_rad >= 0 && light.inner_rad < light.outer_rad && light.outer_rad < max_cone))
-    fail(place, "the cone's angles are out of order");
-}
-
-std::size_t SceneWriter::State::write_light_description(const ScenePunctual& light) {
-  const bool is_spot = light.outer_rad != 0;
-  // The extension's colour channels end at 1, so a stronger channel scales the intensity.
-  const double strongest = max_of(light.colour);
-  json description = {{"type", is_spot ? "spot" : "point"},
-                      {"color", gltf::to_json(glm::dvec3(light.colour) / strongest)},
-                      {"intensity", light.intensity_cd * strongest}};
-  if (is_spot)
-    description["spot"] = {{"innerConeAngle", light.inner_rad},
-                           {"outerConeAngle", light.outer_rad}};
-  const auto [known, is_new] = known_punctual.try_emplace(description.dump(), punctual.count());
-  if (is_new) punctual.add(description);
-  return known->second;
-}
-
-std::uint32_t SceneWriter::add_ies_profile(std::string_view text) {
-  State& s = *state_;
-  const std::size_t view = s.stream.write_view(std::span<const char>(text));
-  return static_cast<std::uint32_t>(
-      s.ies.add({{"bufferView", view}, {"mimeType", "application/x-ies-lm-63"}}));
-}
-
-void SceneWriter::add_ies_light(const SceneIesLight& light) {
-  State& s = *state_;
-  const std::string place = "light " + std::to_string(s.nodes.count());
-  if (light.profile >= s.ies.count()) s.fail(place, "its profile is not there");
-  const double strongest = max_of(light.colour);
-  if (!finite(light.position) || !finite(light.axis) || !finite(light.tangent) ||
-      !finite(light.colour) || min_of(light.colour) < 0 || !(strongest > 0) ||
-      !std::isfinite(light.multiplier) || !(light.multiplier > 0))
-    s.fail(place, "a value is not finite or not positive");
-  // The extension aims a light along -z, and has C = 0 towards x.
-  const glm::dvec3 x = glm::normalize(glm::dvec3(light.tangent)),
-                   z = -glm::normalize(glm::dvec3(light.axis));
-  const glm::dquat rotation(glm::dmat3(x, glm::cross(z, x), z));
-  s.nodes.add({{"translation", gltf::to_json(light.position)},
-               {"rotation", to_json(glm::normalize(rotation))},
-               {"extensions",
-                {{gltf::lights_ies,
-                  {{"light", light.profile},
-                   {"multiplier", light.multiplier * strongest},
-                   {"color", gltf::to_json(glm::dvec3(light.colour) / strongest)}}}}}});
-  s.stream.extensions_used.insert(gltf::lights_ies);
 }
 
 void SceneWriter::finish(const Georeference& georeference, const ScenePlaces& places) {

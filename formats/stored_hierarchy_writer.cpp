@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/gltf_constants.h"
 #include "formats/gltf_document.h"
 #include "formats/gltf_stream.h"
 #include "formats/json_text.h"
+#include "formats/scratch_file.h"
 
 namespace nightcity {
 namespace {

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Runs every fuzzer for a while, then tests with sanitizers: tests/fuzz.sh [ci | SECONDS [FUZZER...]]
-# SECONDS: for each fuzzer (60), as many at once as there are cores. FUZZER: archive, areas, citygml, cityjson, glb, inventory,
-# lights, luminaire, obj, obj_pictures, osm, picture, recipe, tags or triangulation (all, and then all tests). ci: a minute of
-# each fuzzer, then the tests of the readers, which are linked with what the fuzzers have built. That build takes some twenty
-# minutes on two cores with an empty ccache. Needs clang. What a fuzzer finds lies in build/fuzz/found, and the script ends
-# with 1; inputs that reach new code are kept in build/fuzz/corpus from run to run. FUZZ_NICE=19 leaves the machine to others.
+# SECONDS: for each fuzzer (60), as many at once as there are cores. FUZZER: archive, areas, camera, citygml, cityjson,
+# elevation, exr, glb, inventory, lights, luminaire, obj, obj_pictures, osm, picture, recipe, settings, tags or triangulation
+# (all, and then all tests). ci: a minute of each fuzzer, then the tests of the readers, which are linked with what the fuzzers
+# have built. That build takes some twenty minutes on two cores with an empty ccache. Needs clang. What a fuzzer finds lies in
+# build/fuzz/found, and the script ends with 1; inputs that reach new code are kept in build/fuzz/corpus from run to run.
+# FUZZ_NICE=19 leaves the machine to others.
 set -euo pipefail
 # shellcheck source=pipelines/steps.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../pipelines/steps.sh"
@@ -21,8 +22,11 @@ cd "$root"
 declare -A seeds=(
   [archive]=tests/tools/inputs/corpus
   [areas]=tests/tools/osm/corpus
+  [camera]=tests/runtime/scene/corpus
   [citygml]=tests/tools/citygml/corpus
   [cityjson]=tests/tools/cityjson/corpus
+  [elevation]=tests/tools/terrain/corpus
+  [exr]=tests/runtime/measure/corpus
   [glb]=tests/formats/corpus/glb
   [inventory]=tests/tools/inventory/corpus
   [lights]=tests/formats/corpus/lights
@@ -32,6 +36,7 @@ declare -A seeds=(
   [osm]=tests/tools/osm/corpus
   [picture]=tests/formats/corpus/picture
   [recipe]=tests/tools/bake/corpus
+  [settings]=tests/runtime/render/corpus
   [tags]=tests/tools/lights/corpus_tags
   [triangulation]=tests/tools/streets/corpus
 )

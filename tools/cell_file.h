@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "formats/atomic_file.h"
+#include "formats/scratch_file.h"
 
 namespace nightcity {
 

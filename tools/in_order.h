@@ -6,11 +6,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace nightcity {
+
+/// Returns the arena of so many threads, the same in each call: TBB 2021.8 takes the longer for an
+/// arena the more there have been.
+inline oneapi::tbb::task_arena& keep_arena(int threads) {
+  static std::mutex mutex;
+  // Never destroyed: TBB may be gone before.
+  static auto& arenas = *new std::map<int, oneapi::tbb::task_arena>;
+  const std::lock_guard lock(mutex);
+  return arenas.try_emplace(threads, threads).first->second;
+}
 
 /// `next()` returns an std::optional item, none at the end; `work` turns an item into a result, on
 /// many threads at once; `take` gets the results one at a time, in the order of next(). With one
@@ -36,8 +48,7 @@ void in_order(unsigned threads, const Next& next, const Work& work, const Take& 
   };
   std::vector<Place> places(static_cast<std::size_t>(2 * used));
   std::size_t begun = 0;
-  tbb::task_arena arena(used);
-  arena.execute([&] {
+  const auto run = [&] {
     tbb::parallel_pipeline(
         places.size(),
         tbb::make_filter<void, Place*>(tbb::filter_mode::serial_in_order,
@@ -61,7 +72,8 @@ void in_order(unsigned threads, const Next& next, const Work& work, const Take& 
               take(std::move(*place->result));
               place->result.reset();
             }));
-  });
+  };
+  keep_arena(used).execute([&] { tbb::this_task_arena::isolate(run); });
 }
 
 }  // namespace nightcity

@@ -7,6 +7,7 @@
 #include "runtime/gpu/buffer.h"
 #include "runtime/gpu/compute_pass.h"
 #include "runtime/gpu/timer.h"
+#include "runtime/render/compile_passes.h"
 #include "runtime/render/pass_constants.h"
 #include "shaders/frame.h"
 #include "spirv/copy_memory.h"
@@ -29,7 +30,7 @@ double measure_copy_speed(gpu::Device& device) {
   gpu::Buffer frame_buffer(device, sizeof frame, gpu::Memory::host);
   frame_buffer.upload(&frame, sizeof frame);
   const gpu::ComputePass pass(device, copy_memory_spirv, PassConstants{}, sizeof(gpu::Push),
-                              {WORKGROUP_ROW, 1});
+                              over_a_list);
   const gpu::Push push{frame_buffer.address(), 0, invocations};
   gpu::Timer timer(device);
   std::vector<double> ms;

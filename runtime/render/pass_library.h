@@ -2,7 +2,6 @@
 // so renderers of one device share them, and switching back to an estimator costs nothing.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -10,44 +9,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <utility>
 
-#include "runtime/gpu/compute_pass.h"
 #include "runtime/gpu/device.h"
-#include "runtime/render/trace_pass.h"
-#include "shaders/interface.h"
+#include "runtime/render/pass_set.h"
 
 namespace nightcity::render {
-
-using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
-
-struct PassSet {
-  gpu::ComputePass accumulate, demodulate, denoise, inspect;
-  // Compiled only with traffic.
-  gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells, vehicle_bvh;
-  // Shared with the set of a draft: they are the same whether or not light bounces.
-  std::shared_ptr<const TracePass> primary, candidates;
-  TracePass reference, reference_path;  // compiled only for the reference estimator
-  TracePass temporal, shade;            // compiled only for the others, as candidates are
-  TracePass spatial;                    // compiled only for weights not pairwise
-  gpu::ComputePass fill;                // compiled with them
-  TracePass pair_targets;               // compiled only for pairwise weights
-  gpu::ComputePass pair_reuse;
-  gpu::ComputePass cache_evict, cache_mark;  // compiled only with the irradiance cache
-  TracePass cache_update;
-  TracePass air, reference_air;  // compiled only with air
-};
-
-// The passes of display.h.
-struct DisplayPasses {
-  gpu::ComputePass expose;
-  gpu::ComputePass glare_down, glare_up;  // compiled only with glare
-};
-
-/// Passes are compiled for any frame, or for drafts alone (Effort::draft), which takes a third of
-/// the time.
-enum class Extent : std::uint8_t { whole, draft };
 
 /// Threads may ask for sets at once; passes of the display and of measurements are one thread's.
 class PassLibrary {
@@ -76,10 +43,6 @@ class PassLibrary {
   const DisplayPasses& display(const PassConstants& constants);
 
  private:
-  // The SPIR-V of one pass for each tracing backend.
-  struct TraceShader {
-    std::span<const std::uint32_t> compute, query, pipeline;
-  };
   struct Kept {
     std::shared_ptr<const PassSet> set;
     std::uint64_t asked = 0;  // when, in calls
@@ -94,8 +57,6 @@ class PassLibrary {
   // Keeps a set that was compiled in the background, if one is complete.
   void collect();
   void translate(const PassSet& set, const PassConstants& constants);
-  TracePass make_trace(const PassConstants& constants, const TraceShader& shader,
-                       gpu::Workgroup workgroup);
 
   gpu::Device& device_;
   std::size_t kept_;

@@ -105,13 +105,17 @@ void check_values(const SettingsFile& file) {
   }
 }
 
+// Returns whether a number that is written so is read as the same text: "007" is none in TOML, and
+// "1.0", which may be the name of a file, would come back as "1".
 bool is_number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // TOML writes infinity and NaN otherwise, and no number with a leading or trailing point.
-  return error == std::errc() && end == text.data() + text.size() &&
-         text.find_first_not_of("0123456789.-+e") == std::string::npos && text.back() != '.' &&
-         text.front() != '.';
+  const auto is_read_as = [&](auto value, const auto& write) {
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, value);
+    return error == std::errc() && end == last && write(value) == text;
+  };
+  return is_read_as(std::int64_t{}, [](std::int64_t value) { return std::to_string(value); }) ||
+         (text.find_first_of(".e") != std::string::npos &&
+          is_read_as(double{}, [](double value) { return to_text(value); }));
 }
 
 std::string quote(const std::string& text) {
@@ -130,13 +134,34 @@ std::string to_toml(const NamedText& value) {
   }
   if (value.text == "yes") return "true";
   if (value.text == "no") return "false";
-  return !value.text.empty() && is_number(value.text) ? value.text : quote(value.text);
+  return is_number(value.text) ? value.text : quote(value.text);
+}
+
+// Returns a key as TOML has it: the window's are anything, and need quotes where they are no words.
+std::string to_key(const std::string& name) {
+  const auto is_bare = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
+           c == '-';
+  };
+  if (!name.empty() && std::all_of(name.begin(), name.end(), is_bare)) return name;
+  std::string text = "\"";
+  for (const char c : name) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f) {
+      constexpr char digits[] = "0123456789ABCDEF";
+      text += std::string("\\u00") + digits[code / 16] + digits[code % 16];
+    } else {
+      if (c == '"' || c == '\\') text += '\\';
+      text += c;
+    }
+  }
+  return text + '"';
 }
 
 std::string to_toml(const char* name, const std::vector<NamedText>& table) {
   if (table.empty()) return "";
   std::string text = std::string("\n[") + name + "]\n";
-  for (const NamedText& value : table) text += value.name + " = " + to_toml(value) + "\n";
+  for (const NamedText& value : table) text += to_key(value.name) + " = " + to_toml(value) + "\n";
   return text;
 }
 

@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/light_file_edit.h"
 #include "tools/bake/city/building_uses.h"
+#include "tools/bake/city/obstacles.h"
 #include "tools/bake/city/ready_object.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/city/tree_consumer.h"
@@ -22,15 +23,13 @@
 #include "tools/bake/scene/bridge_models.h"
 #include "tools/bake/scene/hierarchies.h"
 #include "tools/bake/scene/horizon_model.h"
+#include "tools/bake/scene/map_models.h"
 #include "tools/bake/scene/scene_tiles.h"
 #include "tools/bake/scene/tree_models.h"
 #include "tools/bake/scene/vehicle_models.h"
 #include "tools/bake/stages/light_stage.h"
 #include "tools/bake/stages/places_stage.h"
 #include "tools/bake/stages/traffic_stage.h"
-#include "tools/barriers/barrier_shape.h"
-#include "tools/steps/find_steps.h"
-#include "tools/steps/flight_shape.h"
 #include "tools/trees/find_trees.h"
 
 namespace nightcity::bake {
@@ -140,17 +139,7 @@ class Bake {
   void build_barriers() {
     const auto extent = city_.terrain().extent();
     if (!options_.city.cover.barriers || !extent || !city_.frame().has_lon_lat()) return;
-    barriers::BarrierSet found =
-        barriers::find_barriers(city_.map(), city_.cover(), {extent->low, extent->high},
-                                city_.to_frame(), city_.height_at(), find_obstacles());
-    const auto add = [&](const auto& barrier) {
-      const std::vector<barriers::Corners> surface = barriers::make_shape(barrier);
-      report_.barriers.triangles += surface.size();
-      tiles_.add_barrier(surface, barrier.kind.material);
-    };
-    for (const barriers::BarrierLine& line : found.lines) add(line);
-    for (const barriers::BarrierArea& area : found.areas) add(area);
-    report_.barriers.found = std::move(found.report);
+    add_barrier_models(city_, *extent, tiles_, report_.barriers);
     clock_.end_stage("barriers");
   }
 
@@ -160,15 +149,7 @@ class Bake {
     if (!cover.streets || !cover.steps || !extent || report_.ground.has_roads ||
         !city_.frame().has_lon_lat())
       return;
-    steps::StepSet found =
-        steps::find_steps(city_.map().highways, city_.cover(), {extent->low, extent->high},
-                          city_.to_frame(), city_.height_at(), find_obstacles());
-    for (const steps::Flight& flight : found.flights) {
-      const std::vector<steps::Corners> surface = steps::make_shape(flight);
-      report_.steps.triangles += surface.size();
-      tiles_.add_steps(surface, flight.surface);
-    }
-    report_.steps.found = std::move(found.report);
+    add_step_models(city_, *extent, tiles_, report_.steps);
     clock_.end_stage("steps");
   }
 
@@ -188,13 +169,6 @@ class Bake {
         found.sources, found.left_out, found.assumed_sizes, found.odd_sizes,
         model_trees_ ? model_trees_->surfaces() : std::map<std::string, std::size_t>()};
     clock_.end_stage("trees");
-  }
-
-  // Returns where neither trees, barriers nor steps stand: in buildings, and below bridges.
-  place::InsideBuilding find_obstacles() const {
-    return [this, inside = city_.inside_footprint()](const glm::dvec2& place) {
-      return (inside && inside(place)) || city_.bridges().decks().covers(place);
-    };
   }
 
   // Returns the plan of the ground, else of what is shown.
@@ -217,7 +191,7 @@ class Bake {
     return trees::find_trees(
         has_map ? city_.map() : no_map, city_.cover(),
         extent ? ground_cover::Box{extent->low, extent->high} : ground_cover::Box{},
-        city_.to_frame(), city_.height_at(), find_obstacles(), model_trees());
+        city_.to_frame(), city_.height_at(), find_obstacles(city_), model_trees());
   }
 
   bool shows_model_trees() const {

@@ -20,6 +20,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/file_names.h"
 
 namespace nightcity::bake {
 namespace {

@@ -194,24 +194,24 @@ void visit_entries(const Archive& archive,
   }
 }
 
-std::vector<Document> list_documents_in_archive(const std::string& path,
-                                                std::span<const std::string_view> endings) {
+FileContents list_archive(const std::string& path, std::span<const std::string_view> endings) {
   const auto archive = std::make_shared<Archive>(path);
-  std::vector<Document> documents;
-  std::string first_entry, packed_entry;  // the first, and the first that is packed itself
+  FileContents contents;
+  std::string first_entry;
   visit_entries(*archive, [&](zip_uint64_t index, const std::string& entry) {
     const std::string lower = to_lower(entry);
     if (first_entry.empty()) first_entry = entry;
-    if (packed_entry.empty() && ends_with_any(lower, packed_endings)) packed_entry = entry;
+    if (ends_with_any(lower, packed_endings)) contents.packed_entries.push_back(entry);
     if (!ends_with_any(lower, endings)) return;
     const std::string name = path + "/" + entry;
-    documents.push_back(
+    contents.documents.push_back(
         {name, true, [=] { return to_utf8(std::make_unique<ZipSource>(archive, index, name)); }});
   });
-  if (!documents.empty()) return documents;
+  if (!contents.documents.empty()) return contents;
   const std::string remedy = ": unpack it and name what is inside";
-  if (!packed_entry.empty())
-    throw Error(path, "the archive holds another packed file (" + packed_entry + ")" + remedy);
+  if (!contents.packed_entries.empty())
+    throw Error(path, "the archive holds another packed file (" + contents.packed_entries.front() +
+                          ")" + remedy);
   throw Error(path, "the archive holds no " + join_endings(endings) +
                         (first_entry.empty() ? "" : ", but " + first_entry + remedy));
 }
@@ -238,27 +238,23 @@ std::string join_endings(std::span<const std::string_view> endings) {
   return all;
 }
 
-std::vector<Document> list_documents(const std::filesystem::path& file,
-                                     std::span<const std::string_view> endings) {
+FileContents list_contents(const std::filesystem::path& file,
+                           std::span<const std::string_view> endings) {
   const std::string path = file.string();
   std::error_code ignored;  // the opening says what is wrong
   if (std::filesystem::is_directory(file, ignored)) throw Error(path, "is a folder, not a file");
   refuse_special_file(file);
   const std::string mark = read_mark(path);
   if (mark.empty()) throw Error(path, "is empty");
-  if (mark == zip_mark) return list_documents_in_archive(path, endings);
+  if (mark == zip_mark) return list_archive(path, endings);
   if (mark.starts_with("\x1f\x8b"))
-    return {{path, true, [=] { return to_utf8(std::make_unique<GzipSource>(path)); }}};
-  return {{path, false, [=] { return to_utf8(std::make_unique<PlainSource>(path)); }}};
+    return {{{path, true, [=] { return to_utf8(std::make_unique<GzipSource>(path)); }}}, {}};
+  return {{{path, false, [=] { return to_utf8(std::make_unique<PlainSource>(path)); }}}, {}};
 }
 
-std::vector<std::string> list_packed_entries(const std::filesystem::path& file) {
-  std::vector<std::string> entries;
-  if (read_mark(file.string()) != zip_mark) return entries;
-  visit_entries(Archive(file.string()), [&entries](zip_uint64_t, const std::string& entry) {
-    if (ends_with_any(to_lower(entry), packed_endings)) entries.push_back(entry);
-  });
-  return entries;
+std::vector<Document> list_documents(const std::filesystem::path& file,
+                                     std::span<const std::string_view> endings) {
+  return list_contents(file, endings).documents;
 }
 
 std::string read_start(const Document& document, std::size_t most) {

@@ -34,16 +34,24 @@ std::string read_start(const Document& document, std::size_t most);
 /// fiftieth of the time that a reader takes, over a compressed document a quarter.
 bool mentions(const Document& document, std::string_view text);
 
-/// Returns the documents in `file`, in order: one for a plain or gzipped file, and of a zip archive
-/// one for each entry whose name ends with one of `endings` (in lower case: ".gml"). Throws Error
-/// when the file is missing, empty, unreadable, a folder, or an archive without such entries. The
-/// reader of a document finds out whether it is of the kind that its name says.
+/// The contents of a file.
+struct FileContents {
+  std::vector<Document> documents;  // in order
+  // Names of an archive's entries that are packed themselves, by their endings, and so are no
+  // documents.
+  std::vector<std::string> packed_entries;
+};
+
+/// Returns what `file` holds. Its documents are one for a plain or gzipped file, and of a zip
+/// archive one for each entry whose name ends with one of `endings` (in lower case: ".gml"). Throws
+/// Error when the file is missing, empty, unreadable, a folder, or an archive without such entries.
+/// The reader of a document finds out whether it is of the kind that its name says.
+FileContents list_contents(const std::filesystem::path& file,
+                           std::span<const std::string_view> endings);
+
+/// Returns the documents alone.
 std::vector<Document> list_documents(const std::filesystem::path& file,
                                      std::span<const std::string_view> endings);
-
-/// Returns the names of an archive's entries that are packed themselves, by their endings, and so
-/// are no documents; none for other files. Throws Error as list_documents does.
-std::vector<std::string> list_packed_entries(const std::filesystem::path& file);
 
 bool ends_with_any(std::string_view name, std::span<const std::string_view> endings);
 /// Returns ".gml, .xml, .citygml": for messages.

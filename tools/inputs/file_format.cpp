@@ -131,8 +131,12 @@ std::string name_of(const city::Document& document) {
 }  // namespace
 
 const FileFormat& find_format(const std::filesystem::path& path) {
+  return find_format(city::list_documents(path, city_endings()));
+}
+
+const FileFormat& find_format(const std::vector<city::Document>& documents) {
   std::string why, where;
-  for (const city::Document& document : city::list_documents(path, city_endings())) {
+  for (const city::Document& document : documents) {
     const std::string bytes = city::read_start(document, start_bytes), name = name_of(document);
     if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
     if (!why.empty()) continue;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/city/byte_source.h"
 #include "tools/city/city_reader.h"
@@ -43,6 +44,8 @@ std::span<const FileFormat> file_formats();
 /// or of no format in the table; the message then says what it is instead, and the remedy
 /// (tools/city/foreign_format.h). Of an archive the first entry of a format in the table decides.
 const FileFormat& find_format(const std::filesystem::path& path);
+/// The same of a file's documents, where they have been listed.
+const FileFormat& find_format(const std::vector<city::Document>& documents);
 
 /// Returns the format of one document of a file, by its first bytes; null: none of the table.
 const FileFormat* find_format(const city::Document& document);

@@ -12,8 +12,7 @@
 namespace nightcity::inputs {
 namespace {
 
-const city::FileReader& find_reader(const std::filesystem::path& file) {
-  const FileFormat& format = find_format(file);
+const city::FileReader& find_reader(const std::filesystem::path& file, const FileFormat& format) {
   if (!format.reader)
     throw Error(file.string(), "is no city model but " + std::string(format.name));
   return *format.reader;
@@ -21,18 +20,17 @@ const city::FileReader& find_reader(const std::filesystem::path& file) {
 
 // An archive is read by the reader of its first city model, and what this one does not know is
 // passed over.
-void tell_passed_over(const std::filesystem::path& file, city::ReadReport& report) {
-  if (const auto packed = city::list_packed_entries(file); !packed.empty())
+void tell_passed_over(const std::filesystem::path& file, const city::FileContents& contents,
+                      const FileFormat& read, city::ReadReport& report) {
+  if (const auto& packed = contents.packed_entries; !packed.empty())
     report.warnings.push_back(fmt::format(
         "{}: {} packed files inside were passed over (first {}): unpack the archive, and name what "
         "is inside",
         file.string(), packed.size(), packed.front()));
-  const auto documents = city::list_documents(file, city_endings());
-  if (documents.size() < 2) return;
+  if (contents.documents.size() < 2) return;
   std::size_t others = 0;
   std::string first;
-  const FileFormat& read = find_format(file);
-  for (const city::Document& document : documents) {
+  for (const city::Document& document : contents.documents) {
     const FileFormat* format = find_format(document);
     if (!format || format == &read || format->kind != FileKind::city) continue;
     if (others++ == 0) first = document.name + " is " + format->name;
@@ -47,7 +45,7 @@ void tell_passed_over(const std::filesystem::path& file, city::ReadReport& repor
 }  // namespace
 
 city::CityHead read_city_head(const std::filesystem::path& file, const city::ReadOptions& options) {
-  return find_reader(file).read_head(file, options);
+  return find_reader(file, find_format(file)).read_head(file, options);
 }
 
 city::ReadReport read_city(const std::filesystem::path& file, const city::ReadOptions& options,
@@ -58,13 +56,15 @@ city::ReadReport read_city(const std::filesystem::path& file, const city::ReadOp
 city::ReadReport read_city_staged(const std::filesystem::path& file,
                                   const city::ReadOptions& options,
                                   const city::ObjectStage& stage) {
-  city::ReadReport report = find_reader(file).read(file, options, stage);
-  if (!options.piece) tell_passed_over(file, report);
+  const city::FileContents contents = city::list_contents(file, city_endings());
+  const FileFormat& format = find_format(contents.documents);
+  city::ReadReport report = find_reader(file, format).read(file, options, stage);
+  if (!options.piece) tell_passed_over(file, contents, format, report);
   return report;
 }
 
 std::optional<city::FileCuts> find_cuts(const std::filesystem::path& file) {
-  const city::FileReader& reader = find_reader(file);
+  const city::FileReader& reader = find_reader(file, find_format(file));
   return reader.find_cuts ? reader.find_cuts(file) : std::nullopt;
 }
 

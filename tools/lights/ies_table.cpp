@@ -137,7 +137,7 @@ IesTable read_table(const TextLines& lines, std::size_t first, bool has_tilt_tab
   }
   table.last_line = numbers.line();
   table.has_text_after = numbers.expect_end();
-  table.stated_flux_lm = lumens > 0 ? lamps * lumens : 0;
+  table.stated_flux_lm = lamps > 0 && lumens > 0 ? lamps * lumens : 0;
   return table;
 }
 

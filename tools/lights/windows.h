@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "formats/atomic_file.h"
 #include "formats/georeference.h"
 #include "formats/light_file.h"
+#include "formats/scratch_file.h"
 #include "tools/city/city_model.h"
 #include "tools/lights/facades.h"
 #include "tools/lights/night_schedule.h"

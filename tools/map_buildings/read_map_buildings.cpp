@@ -20,6 +20,7 @@
 #include "tools/map_buildings/roofs.h"
 #include "tools/map_buildings/skin.h"
 #include "tools/osm/days.h"
+#include "tools/osm/first_nodes.h"
 #include "tools/osm/map_areas.h"
 #include "tools/ring_area.h"
 #include "tools/today.h"

@@ -51,7 +51,4 @@ struct MapAreas {
 MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
                         std::size_t max_nodes);
 
-/// Returns longitude and latitude of up to `count` nodes from the file's beginning.
-std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std::size_t count);
-
 }  // namespace nightcity::osm

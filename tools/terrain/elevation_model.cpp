@@ -91,6 +91,8 @@ struct ElevationModel::State {
   GDALRasterBand* band = nullptr;
   double to_pixel[6] = {};
   std::vector<GDALRasterBand*> masks;  // zero where there are no data
+  bool has_text_rows = false;          // of which a row is found by those before it
+  mutable int rows_passed = 0;         // of these
   bool in_degrees = false;
   double resolution = 0, scale = 1, offset = 0, no_data = nothing;
   double unit = 1;  // metres in the unit of heights; negative where they are depths
@@ -114,6 +116,7 @@ struct ElevationModel::State {
                                 static_cast<float>(value) == static_cast<float>(no_data));
   }
 
+  void pass_rows(int end) const;
   void sample_pixels(std::span<const glm::dvec2> pixels, std::span<double> heights) const;
   glm::dvec2 find_pixel(const glm::dvec2& place) const;
 };
@@ -149,6 +152,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
     throw Error(s.name, "is no raster of heights: " + explain_unread(file));
   refuse_picture(*s.dataset, s.name);
   s.band = s.dataset->GetRasterBand(1);
+  s.has_text_rows = has_text_rows(*s.dataset);
   s.masks = find_masks(*s.dataset, *s.band);
   for (int i = 1; i <= s.dataset->GetRasterCount(); ++i)
     refuse_large_blocks(*s.dataset->GetRasterBand(i), max_block_mpx, s.name);
@@ -205,6 +209,20 @@ double ElevationModel::resolution_m() const {
   return state_->resolution;
 }
 
+// Reads rows of text in order up to `end`. Where one is missing, GDAL 3.6 looks for each of the
+// later ones by all between, which look for theirs: for 50 rows that a file lacks, without an end.
+void ElevationModel::State::pass_rows(int end) const {
+  if (!has_text_rows || rows_passed >= end) return;
+  const int width = band->GetXSize();
+  std::vector<double> row(static_cast<std::size_t>(width));
+  for (; rows_passed < end; ++rows_passed)
+    if (band->RasterIO(GF_Read, 0, rows_passed, width, 1, row.data(), width, 1, GDT_Float64, 0,
+                       0) != CE_None)
+      throw Error(name, "row " + std::to_string(rows_passed + 1) + " of " +
+                            std::to_string(band->GetYSize()) + " cannot be read (" +
+                            gdal::find_reason() + "): damaged or cut off; fetch it again");
+}
+
 // Reads the window around the pixels; where they lie far apart, half of them at a time.
 void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
                                           std::span<double> heights) const {
@@ -227,6 +245,7 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
     return;
   }
   const int columns = static_cast<int>(extent.x), rows = static_cast<int>(extent.y);
+  pass_rows(static_cast<int>(low.y) + rows);
   std::vector<double> window(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   if (band->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows,
                      window.data(), columns, rows, GDT_Float64, 0, 0) != CE_None)

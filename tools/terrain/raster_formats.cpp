@@ -44,4 +44,10 @@ const char* find_refused_format(const std::string& file) {
   return is_allowed ? nullptr : GDALGetDriverShortName(driver);
 }
 
+bool has_text_rows(GDALDataset& raster) {
+  GDALDriver* const driver = raster.GetDriver();
+  const std::string_view format = driver ? driver->GetDescription() : "";
+  return format == "AAIGrid" || format == "GRASSASCIIGrid" || format == "ISG";
+}
+
 }  // namespace nightcity::terrain

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "formats/atomic_file.h"
+#include "formats/file_names.h"
 #include "tools/mesh/triangle_mesh.h"
 #include "tools/terrain/surface_store.h"
 

@@ -1,9 +1,14 @@
 #include "runtime/measure/exr.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "formats/error.h"
 #include "runtime/measure/pictures.h"
@@ -165,6 +170,53 @@ TEST_F(Exr, OtherKindsOfFileAreErrors) {
   EXPECT_THROW(read_exr(folder / "a.exr"), Error);
   test::write_text(folder / "a.exr", std::string("v/1\x01\x02\0\0\0", 8) + std::string(5000, 'x'));
   EXPECT_THROW(read_exr(folder / "a.exr"), Error);
+}
+
+// Puts numbers behind the size of an attribute, whose name and type are `key` with their ends.
+void put_into_attribute(std::string& file, std::string_view key, std::vector<std::int32_t> numbers,
+                        std::size_t skipped = 4) {
+  const std::size_t at = file.find(key);
+  ASSERT_NE(at, std::string::npos);
+  std::memcpy(file.data() + at + key.size() + skipped, numbers.data(), 4 * numbers.size());
+}
+
+TEST_F(Exr, AHeaderDoesNotChooseHowMuchMemoryIsTaken) {
+  using namespace std::string_view_literals;
+  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/runtime/measure/corpus";
+  const std::string lines = test::read_text(corpus / "layers.exr"),
+                    tiles = test::read_text(corpus / "tiled.exr");
+  constexpr auto window = "dataWindow\0box2i\0"sv, tile = "tiles\0tiledesc\0"sv;
+  constexpr auto estimator = "nightcity.estimator\0string\0"sv;
+  constexpr std::int32_t most = 2'147'483'647;
+  std::vector<std::string> files(8);
+  put_into_attribute(files[0] = lines, estimator, {1'900'000'000}, 0);
+  put_into_attribute(files[1] = lines, window, {0, 0, 8, most - 1});
+  put_into_attribute(files[2] = lines, window, {0, 0, 32'767, 32'767});
+  put_into_attribute(files[3] = lines, window, {-most, -most, most, most});
+  put_into_attribute(files[4] = tiles, tile, {60'000, 60'000});
+  put_into_attribute(files[5] = tiles, window, {0, 0, 32'767, 32'767});
+  put_into_attribute(files[6] = files[5], tile, {1, 1});
+  // OpenEXR takes a list of channels to be as long as it is, and not as the file says.
+  files[7] = test::read_text(corpus / "channels_too_long.exr");
+  const auto peak_kb = [] {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    test::write_text(folder / "a.exr", files[i]);
+    const long before_kb = peak_kb();
+    try {
+      read_exr(folder / "a.exr");
+      ADD_FAILURE() << i;
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      EXPECT_TRUE(message.find("claims") != std::string::npos ||
+                  message.find("a side must be") != std::string::npos)
+          << i << ": " << message;
+    }
+    EXPECT_LT(peak_kb() - before_kb, 200'000) << i;
+  }
 }
 
 }  // namespace

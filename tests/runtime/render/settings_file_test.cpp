@@ -60,6 +60,25 @@ TEST_F(SettingsFiles, GiveBackEverySettingThatWasWritten) {
   EXPECT_TRUE(test::read_text(folder / "b.toml").starts_with("# first\n# second\n"));
 }
 
+TEST_F(SettingsFiles, GiveBackTextsThatLookLikeNumbersAndKeysThatAreNoWords) {
+  SettingsFile file{folder / "b.toml", {}, {}};
+  for (const char* text :
+       {"007", "1.0", "-.5", "1.e5", "1e5", "1e+30", "0.25", "-3", "-0", "", "9223372036854775807",
+        "9223372036854775808", "inf", "nan", "1_000", "0x10", "yes", "no", "2026-11-29"})
+    file.window.push_back({"key-" + std::to_string(file.window.size()), text});
+  for (const char* name : {"two words", "a.b", "", "\"'", "\n", "\xc3\xbc", " = true"})
+    file.window.push_back({name, "1"});
+  file.render = {{"camera", "007"}};
+  write_settings_file(file, "");
+  const SettingsFile back = read_settings_file(file.path);
+  EXPECT_EQ(back.render.at(0).text, "007");
+  ASSERT_EQ(back.window.size(), file.window.size());
+  for (std::size_t i = 0; i < back.window.size(); ++i) {
+    EXPECT_EQ(back.window[i].name, file.window[i].name) << i;
+    EXPECT_EQ(back.window[i].text, file.window[i].text) << file.window[i].name;
+  }
+}
+
 TEST_F(SettingsFiles, LeaveAloneWhatTheCommandLineHasSet) {
   const SettingsFile file = read("[render]\ncandidates = 4\nneighbours = 1\nhistory = 2\n");
   RenderSettings settings;

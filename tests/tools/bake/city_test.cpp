@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "support/error_message.h"
 #include "support/temp_folder.h"
 #include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/tile_grid.h"
@@ -22,6 +23,7 @@
 namespace nightcity::bake {
 namespace {
 
+using test::message_of;
 using test::TempFolder;
 using test::write_text;
 
@@ -54,15 +56,6 @@ CityInputs two_files_and_map(const TempFolder& folder) {
   write_text(folder / "map.osm", test::sample_osm());
   inputs.maps = {folder / "map.osm"};
   return inputs;
-}
-
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(City, EveryConsumerGetsEachObjectOnceInTheOrderOfTheFiles) {

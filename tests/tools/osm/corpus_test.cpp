@@ -8,6 +8,7 @@
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
+#include "tools/osm/first_nodes.h"
 #include "tools/osm/map_areas.h"
 #include "tools/osm/read_osm.h"
 

@@ -519,5 +519,26 @@ TEST(ElevationModel, AFifoIsRefusedAtOnce) {
   EXPECT_THROW(ElevationModel(folder / "dem.tif"), Error);
 }
 
+TEST(ElevationModel, ATextThatIsCutOffIsToldByItsFirstMissingRow) {
+  const TempFolder folder;
+  const auto write = [&](int rows) {
+    std::string text = "ncols 2\nnrows 60\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+    for (int i = 0; i < rows; ++i) text += std::to_string(i) + " 7\n";
+    test::write_text(folder / "cut.asc", text);
+    return ElevationModel(folder / "cut.asc");
+  };
+  EXPECT_EQ(sample(write(60), {{0.5, 0.5}})[0], 59);
+  const ElevationModel cut = write(10);
+  EXPECT_EQ(sample(cut, {{0.5, 50.5}})[0], 9);
+  // By GDAL alone the last row takes 2^49 steps.
+  for (const double y : {0.5, 30.5}) try {
+      sample(cut, {{0.5, y}});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("row 11 of 60 cannot be read"), std::string::npos)
+          << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace nightcity::terrain

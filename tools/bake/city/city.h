@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/atomic_file.h"
+#include "formats/file_names.h"
 #include "formats/georeference.h"
 #include "tools/bake/city/city_bridges.h"
 #include "tools/bake/city/city_frames.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "formats/atomic_file.h"
+#include "formats/scratch_file.h"
 #include "tools/bake/scene/tile_store.h"
 
 namespace nightcity::bake {

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "formats/atomic_file.h"
 #include "formats/scene.h"
+#include "formats/scratch_file.h"
 #include "tools/bake/city/surface_pictures.h"
 #include "tools/bake/scene/materials.h"
 #include "tools/cell_file.h"

@@ -1,0 +1,66 @@
+// The places of a map's nodes, for the ways that areas are made of, and what is selected.
+// Included by the one file that assembles areas, because libosmium is slow to compile.
+#pragma once
+
+#include <osmium/handler.hpp>
+#include <osmium/handler/check_order.hpp>
+#include <osmium/index/map/flex_mem.hpp>
+#include <osmium/osm/node.hpp>
+#include <osmium/osm/way.hpp>
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "tools/osm/area_tags.h"
+
+namespace nightcity::osm {
+
+/// Gives ways the places of their nodes, unless they hold them themselves.
+class AreaPlaces : public osmium::handler::Handler {
+ public:
+  explicit AreaPlaces(const AreaSelection& selection) : selection_(selection) {}
+
+  void node(const osmium::Node& node) {
+    if (sorted_) throw osmium::out_of_order_error("a node behind a way", node.id());
+    if (!node.location().valid()) return;
+    if (!select_tags(node.tags(), selection_).empty()) points.insert(node.id());
+    (node.id() < 0 ? of_editor_ : places_).set(node.positive_id(), node.location());
+  }
+
+  void way(osmium::Way& way) {
+    if (!sorted_) {
+      places_.sort();
+      of_editor_.sort();
+      sorted_ = true;
+    }
+    if (way.deleted()) {
+      auto& version = deleted_ways[way.id()];
+      version = std::max(version, way.version());
+    } else if (!select_tags(way.tags(), selection_).empty()) {
+      const bool closed =
+          way.nodes().size() > 3 && way.nodes().front().ref() == way.nodes().back().ref();
+      (closed ? closed_ways : open_ways).insert(way.id());
+    }
+    for (osmium::NodeRef& node : way.nodes())
+      if (!node.location().valid()) node.set_location(find(node.ref()));
+  }
+
+  std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
+  std::unordered_set<osmium::object_id_type> closed_ways, open_ways;  // that are selected
+  std::unordered_set<osmium::object_id_type> points;                  // that are selected
+
+ private:
+  // A reference may be any number, and the smallest has no opposite among the signed ones.
+  osmium::Location find(osmium::object_id_type id) const {
+    const auto number = static_cast<osmium::unsigned_object_id_type>(id);
+    return id < 0 ? of_editor_.get_noexcept(0 - number) : places_.get_noexcept(number);
+  }
+
+  const AreaSelection& selection_;
+  using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
+  Index places_, of_editor_;
+  bool sorted_ = false;
+};
+
+}  // namespace nightcity::osm
