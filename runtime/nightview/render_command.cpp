@@ -7,7 +7,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <future>
 #include <limits>
@@ -18,19 +17,15 @@
 #include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/progress_display.h"
-#include "formats/to_lower.h"
 #include "runtime/experiments/governed.h"
 #include "runtime/measure/exposure.h"
-#include "runtime/measure/exr.h"
-#include "runtime/measure/false_colour.h"
 #include "runtime/measure/noise.h"
-#include "runtime/measure/png.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/governor_options.h"
+#include "runtime/nightview/picture_outputs.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 #include "runtime/render/renderer.h"
-#include "runtime/scene/markers.h"
 
 namespace nightcity::nightview {
 namespace {
@@ -39,126 +34,19 @@ using Clock = std::chrono::steady_clock;
 
 struct RenderCommand {
   RenderOptions options;
-  std::vector<std::string> outputs;
+  PictureOutputs outputs;
   std::string exposure = "auto";
   std::string tone = "filmic";
-  std::string show = "picture";
   std::string projection = "perspective";
-  bool markers = false;
   std::string save_camera;
   std::uint32_t frames = 64;
   render::GovernorOptions governor;
 };
 
-bool has_extension(const std::string& file, const char* extension) {
-  return to_lower(std::filesystem::path(file).extension().string()) == extension;
-}
-
-// Returns whether a picture is written with figures: an EXR is.
-bool writes_figures(const RenderCommand& command) {
-  return std::any_of(command.outputs.begin(), command.outputs.end(),
-                     [](auto& output) { return has_extension(output, ".exr"); });
-}
-
-// Runs before any work: a wrong name should not be found out after the last frame.
-void check_outputs(const std::vector<std::string>& outputs) {
-  for (const std::string& output : outputs) {
-    if (!has_extension(output, ".png") && !has_extension(output, ".exr"))
-      throw UsageError("--out", "'" + output + "': a picture's name ends in .png or .exr");
-    program::require_writable_folder_of(output);
-  }
-}
-
 float find_exposure(const std::string& text, const render::Renderer& renderer) {
   if (const std::optional<float> chosen = render::parse_exposure(text)) return *chosen;
   const std::size_t pixels = std::size_t{renderer.width()} * renderer.height();
   return measure::auto_exposure_ev100(renderer.sample_mean(pixels));
-}
-
-// Draws lamps as green squares and windows as single blue pixels: no night picture has these
-// colours itself.
-void draw_markers(measure::Image8& picture, const scene::RenderScene& scene,
-                  const gpu::Camera& camera) {
-  constexpr std::size_t max_markers = 1'000'000;
-  for (const scene::Marker& marker : scene::find_markers(camera, scene.lights, max_markers)) {
-    const auto x = static_cast<std::uint32_t>(marker.at.x * float(picture.width));
-    const auto y = static_cast<std::uint32_t>(marker.at.y * float(picture.height));
-    const bool window = scene.families[marker.light] == LightFamily::window;
-    const int half = window ? 0 : 1;
-    for (int dy = -half; dy <= half; ++dy)
-      for (int dx = -half; dx <= half; ++dx) {
-        const std::int64_t px = std::int64_t{x} + dx, py = std::int64_t{y} + dy;
-        if (px < 0 || py < 0 || px >= picture.width || py >= picture.height) continue;
-        std::uint8_t* to = &picture.rgb[3 * (static_cast<std::size_t>(py) * picture.width +
-                                             static_cast<std::size_t>(px))];
-        to[0] = 0;
-        to[1] = window ? 120 : 255;
-        to[2] = window ? 255 : 0;
-      }
-  }
-}
-
-std::optional<measure::Illumination> find_illumination(const std::string& show) {
-  if (show == "illuminance") return measure::Illumination::all;
-  if (show == "direct-illuminance") return measure::Illumination::direct;
-  if (show == "indirect-illuminance") return measure::Illumination::indirect;
-  return std::nullopt;
-}
-
-// Returns the view that the device shows and no figures are made of; nothing for others.
-std::optional<std::uint32_t> find_device_view(const std::string& show) {
-  if (show == "wireframe") return VIEW_WIREFRAME;
-  if (show == "tiles") return VIEW_TILES;
-  return std::nullopt;
-}
-
-measure::Image8 show_on_device(std::uint32_t view, render::DisplaySettings display,
-                               render::Renderer& renderer) {
-  display.view = view;
-  renderer.expose(display);
-  measure::Image8 picture{renderer.width(), renderer.height(), {}};
-  for (const std::uint32_t word :
-       renderer.display().read<std::uint32_t>(std::size_t{picture.width} * picture.height))
-    for (const unsigned shift : {0u, 8u, 16u})
-      picture.rgb.push_back(static_cast<std::uint8_t>(word >> shift));
-  return picture;
-}
-
-// Returns the PNG's picture: as a camera takes it or a quantity in false colours, with markers
-// where asked for.
-measure::Image8 make_png(const RenderCommand& command, const measure::Image& image,
-                         render::Renderer& renderer, const scene::RenderScene& scene,
-                         const scene::CameraPose& pose) {
-  measure::Image8 picture;
-  if (command.show == "luminance") {
-    const std::vector<float> values = measure::luminance_of(image);
-    picture = measure::false_colour(values, image.width, image.height,
-                                    measure::fitting_scale(values, "cd/m2"));
-  } else if (const auto part = find_illumination(command.show)) {
-    const std::vector<float> values = measure::illuminance_of(image, *part);
-    picture = measure::false_colour(values, image.width, image.height,
-                                    measure::fitting_scale(values, "lx"));
-  } else if (const auto view = find_device_view(command.show)) {
-    picture = show_on_device(*view, command.options.settings.display, renderer);
-  } else {
-    picture = renderer.develop(image, command.options.settings.display);
-  }
-  if (command.markers)
-    draw_markers(picture, scene,
-                 scene::make_camera(pose, float(image.width) / float(image.height)));
-  return picture;
-}
-
-void write_outputs(const RenderCommand& command, const measure::Image& image,
-                   render::Renderer& renderer, const scene::RenderScene& scene,
-                   const scene::CameraPose& pose) {
-  for (const std::string& output : command.outputs) {
-    if (has_extension(output, ".exr"))
-      measure::write_exr(output, image);
-    else
-      measure::write_png(output, make_png(command, image, renderer, scene, pose),
-                         measure::png_text(image.info));
-  }
 }
 
 double seconds_since(Clock::time_point start) {
@@ -208,7 +96,7 @@ RenderedFrames render_frames(const RenderCommand& command, render::Renderer& ren
                              const scene::CameraPose& pose, program::ProgressDisplay& progress) {
   const render::RenderSettings& settings = command.options.settings;
   const render::Effort effort = choose_effort(command, make_renderer, pose, progress);
-  const bool layers = settings.sampling.layers || writes_figures(command);
+  const bool layers = settings.sampling.layers || writes_figures(command.outputs);
   const double target = command.governor.target_error;
   RenderedFrames result;
   std::unique_ptr<render::Renderer> other;
@@ -242,21 +130,21 @@ void warn_of_lights(const RenderOptions& options, const scene::RenderScene& scen
 
 void render(RenderCommand& command) {
   RenderOptions& options = command.options;
-  const bool measures = writes_figures(command);
+  const bool measures = writes_figures(command.outputs);
   options.to_be_looked_at =
-      !measures && (command.show == "picture" || find_device_view(command.show));
+      !measures && (command.outputs.show == "picture" || find_device_view(command.outputs.show));
   options.resolve();
   options.settings.display.tone = measure::tone_curve_from_name(command.tone);
   options.settings.projection = render::find_projection(command.projection);
-  if (command.markers && options.settings.projection != PROJECTION_PERSPECTIVE)
+  if (command.outputs.markers && options.settings.projection != PROJECTION_PERSPECTIVE)
     throw UsageError("--markers", "are drawn in perspective pictures alone");
   render::parse_exposure(command.exposure);  // throws early
   check_outputs(command.outputs);
   // At half rate an EXR has the picture and its surfaces: light by kind is kept where every pixel
   // is sampled.
-  options.settings.sampling.layers = find_illumination(command.show).has_value() ||
+  options.settings.sampling.layers = find_illumination(command.outputs.show).has_value() ||
                                      (measures && !render::is_half_rate(options.settings));
-  if (const auto view = find_device_view(command.show)) {
+  if (const auto view = find_device_view(command.outputs.show)) {
     render::keep_what_view_needs(*view, options.settings.sampling);
     options.settings.sampling.resolution_scale = 1;
   }
@@ -295,18 +183,18 @@ void render(RenderCommand& command) {
   if (display.adapt_white)
     display.adapted_to = measure::mean_light(renderer.sample_mean(image.pixels()));
   image.info.ev100 = display.ev100;
-  if (command.show == "picture") image.info.eye = render::describe_eye(display);
+  if (command.outputs.show == "picture") image.info.eye = render::describe_eye(display);
   image.info.licences = scene::describe_licences(scene);
   image.info.camera = scene::to_text(pose);
   image.info.time = render::time_text(options.settings.time_s);
-  write_outputs(command, image, renderer, scene, pose);
+  write_outputs(command.outputs, image, renderer, display, scene, pose);
   spdlog::info("{} frames of {} in {:.2f} s, EV100 {:.1f}", rendered.frames,
                render::name_of(options.settings.sampling.estimator), seconds, *image.info.ev100);
   if (rendered.noise)
     spdlog::info("noise {:.3g} of relative RMSE, {} the target of {:g}", *rendered.noise,
                  *rendered.noise <= command.governor.target_error ? "within" : "ABOVE",
                  command.governor.target_error);
-  for (const std::string& output : command.outputs) fmt::print("{}\n", output);
+  for (const std::string& output : command.outputs.files) fmt::print("{}\n", output);
 }
 
 }  // namespace
@@ -332,7 +220,7 @@ void add_render_command(CLI::App& app) {
   command->options.settings.air.block = render::picture_air_block;
   command->options.declare(*sub);
   program::add_output_option(
-      *sub, command->outputs,
+      *sub, command->outputs.files,
       "NAME.png (8-bit sRGB) or NAME.exr (cd/m2 with layers); may be repeated")
       ->required();
   sub->add_option("--frames", command->frames,
@@ -344,7 +232,7 @@ void add_render_command(CLI::App& app) {
   sub->add_option("--tone", command->tone, "Tone curve of the PNG: filmic, reinhard or linear")
       ->capture_default_str();
   sub->add_option(
-         "--show", command->show,
+         "--show", command->outputs.show,
          "What a PNG shows: picture; in false colours with a scale luminance, illuminance, "
          "direct-illuminance or indirect-illuminance; wireframe: the picture with the edges of all "
          "triangles; or tiles: a colour for each piece of 256 triangles")
@@ -352,7 +240,8 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::IsMember({"picture", "luminance", "illuminance", "direct-illuminance",
                              "indirect-illuminance", "wireframe", "tiles"}));
   declare_projection(*sub, command->projection);
-  sub->add_flag("--markers", command->markers, "Mark every light in the PNG, hidden ones too");
+  sub->add_flag("--markers", command->outputs.markers,
+                "Mark every light in the PNG, hidden ones too");
   sub->add_option("--save-camera", command->save_camera, "Write the camera used to a JSON file");
   sub->callback([command] { render(*command); });
 }

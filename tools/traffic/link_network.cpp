@@ -24,14 +24,6 @@ constexpr double half_axle_m =
 constexpr double slowest_m_s = 1.5;      // in the tightest bend
 constexpr double tightest_bend_m = 1.6;  // of a vehicle's middle, for a moment
 
-dvec2 start_direction(const RoadEdge& edge) {
-  return glm::normalize(edge.line[1] - edge.line[0]);
-}
-
-dvec2 end_direction(const RoadEdge& edge) {
-  return glm::normalize(edge.line.back() - edge.line[edge.line.size() - 2]);
-}
-
 }  // namespace
 
 LinkNetwork::LinkNetwork(const RoadGraph& graph, place::HeightAt height_at,
@@ -61,12 +53,12 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
   const RoadEdge& own = graph_.edges[edge];
   const std::size_t number = at_start ? own.from : own.to;
   const RoadNode& node = graph_.nodes[number];
-  const dvec2 away = at_start ? start_direction(own) : -end_direction(own);
+  const dvec2 away = at_start ? find_start_direction(own) : -find_end_direction(own);
   double result = node.streets > 2 ? 1.5 : 0;
   const auto look = [&](std::size_t other_number, bool leaves) {
     if (other_number == edge || other_number == own.opposite) return;
     const RoadEdge& other = graph_.edges[other_number];
-    const dvec2 direction = leaves ? start_direction(other) : -end_direction(other);
+    const dvec2 direction = leaves ? find_start_direction(other) : -find_end_direction(other);
     const double angle = std::abs(angle_between(away, direction));
     if (node.streets <= 2) {
       // The street continues: the turn goes round the bend and shifts to where the next lanes lie.
@@ -249,8 +241,8 @@ bool LinkNetwork::can_turn(std::size_t edge, int lane_from, std::size_t next_edg
 }
 
 Movement LinkNetwork::movement(std::size_t edge, std::size_t next_edge) const {
-  const double angle =
-      angle_between(end_direction(graph_.edges[edge]), start_direction(graph_.edges[next_edge]));
+  const double angle = angle_between(find_end_direction(graph_.edges[edge]),
+                                     find_start_direction(graph_.edges[next_edge]));
   if (std::abs(angle) < 0.6) return Movement::straight;
   return angle > 0 ? Movement::left : Movement::right;
 }
@@ -272,68 +264,6 @@ double LinkNetwork::turn_radius(std::size_t edge, std::size_t next_edge) const {
   if (glm::dot(chord, from.along) <= 0 || glm::dot(chord, to.along) <= 0) return 0;
   if (turn < 0.3) return std::numeric_limits<double>::infinity();
   return glm::length(chord) / (2 * std::sin(turn / 2));
-}
-
-/// Returns whether turn a gives way to turn b. First go vehicles in a roundabout before those that
-/// enter it, main road before minor road; on equal roads, oncoming traffic before a turn across it;
-/// otherwise traffic from the side of the kerb (right before left where people drive on the right).
-bool LinkNetwork::yields(const Link& a, const Link& b) const {
-  const RoadEdge &own = graph_.edges[a.edge], &other = graph_.edges[b.edge];
-  if (a.edge == b.edge) return false;
-  if (own.roundabout != other.roundabout) return other.roundabout;
-  if (own.road->rank != other.road->rank) return own.road->rank < other.road->rank;
-  const double angle = angle_between(end_direction(own), end_direction(other));
-  const bool right_hand = graph_.side == Side::right;
-  if (std::abs(angle) > 2.6) {
-    const Movement across = right_hand ? Movement::left : Movement::right;
-    return movement(a.edge, a.next_edge) == across && movement(b.edge, b.next_edge) != across;
-  }
-  // Traffic from the right drives towards the left, so its direction is turned by a positive angle.
-  return right_hand ? angle > 0 : angle < 0;
-}
-
-void LinkNetwork::conflict(std::size_t number, std::size_t other_number) {
-  Link &a = links_[number], &b = links_[other_number];
-  const auto& sa = a.curve.samples();
-  const auto& sb = b.curve.samples();
-  double begin[2] = {1e9, 1e9}, end[2] = {-1e9, -1e9};
-  for (const Curve::Sample& p : sa)
-    for (const Curve::Sample& q : sb) {
-      const double cosine = std::abs(glm::dot(dvec2(p.along), dvec2(q.along)));
-      const double clear =
-          cosine > 0.87 ? 2.1
-                        : 2.9;  // across each other, the corners reach farther than side by side
-      const dvec2 apart = dvec2(p.point - q.point);
-      if (glm::dot(apart, apart) >= clear * clear || std::abs(p.point.z - q.point.z) > 3) continue;
-      begin[0] = std::min(begin[0], p.s), end[0] = std::max(end[0], p.s);
-      begin[1] = std::min(begin[1], q.s), end[1] = std::max(end[1], q.s);
-    }
-  Conflict::Kind kind = Conflict::Kind::cross;
-  if (a.from == b.from)
-    kind = Conflict::Kind::diverge;
-  else if (a.to == b.to)
-    kind = Conflict::Kind::merge;
-  if (begin[0] > end[0]) return;
-  const bool a_yields = kind != Conflict::Kind::diverge && yields(a, b);
-  const bool b_yields = kind != Conflict::Kind::diverge && yields(b, a);
-  a.conflicts.push_back({other_number, begin[0], end[0], begin[1], end[1], kind, a_yields});
-  b.conflicts.push_back({number, begin[1], end[1], begin[0], end[0], kind, b_yields});
-}
-
-void LinkNetwork::find_conflicts() {
-  std::map<std::size_t, std::vector<std::size_t>> at_node;
-  for (std::size_t n = 0; n < links_.size(); ++n)
-    if (links_[n].turn) {
-      at_node[graph_.edges[links_[n].edge].to].push_back(n);
-      links_[n].conflicts.clear();
-    }
-  for (const auto& [node, turns] : at_node)
-    for (std::size_t a = 0; a < turns.size(); ++a)
-      for (std::size_t b = a + 1; b < turns.size(); ++b) conflict(turns[a], turns[b]);
-  for (Link& link : links_)
-    link.junction =
-        std::any_of(link.conflicts.begin(), link.conflicts.end(),
-                    [](const Conflict& c) { return c.kind != Conflict::Kind::diverge; });
 }
 
 }  // namespace nightcity::traffic

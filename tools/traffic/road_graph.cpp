@@ -147,6 +147,14 @@ void mark_borders(RoadGraph& graph, const std::vector<bool>& was_cut) {
 
 }  // namespace
 
+glm::dvec2 find_start_direction(const RoadEdge& edge) {
+  return glm::normalize(edge.line[1] - edge.line[0]);
+}
+
+glm::dvec2 find_end_direction(const RoadEdge& edge) {
+  return glm::normalize(edge.line.back() - edge.line[edge.line.size() - 2]);
+}
+
 double RoadEdge::lane_offset(int lane, Side side) const {
   const double to_kerb = half_width_m - (lane + 0.5) * lane_m;
   return middle_m + (side == Side::right ? to_kerb : -to_kerb);

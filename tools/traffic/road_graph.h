@@ -44,6 +44,10 @@ struct RoadEdge {
   double lane_offset(int lane, Side side) const;
 };
 
+/// Return the unit vectors along the first and the last piece of an edge's line.
+glm::dvec2 find_start_direction(const RoadEdge& edge);
+glm::dvec2 find_end_direction(const RoadEdge& edge);
+
 struct RoadNode {
   glm::dvec2 place{0, 0};
   double height_m = 0;

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,7 +11,6 @@
 #include <utility>
 
 #include "formats/error.h"
-#include "formats/median.h"
 #include "tools/bake/city/map_reach.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
@@ -32,33 +30,6 @@
 #include "tools/traffic/country.h"
 
 namespace nightcity::bake {
-namespace {
-
-std::string utm_zone(const glm::dvec2& lon_lat) {
-  const int zone = std::clamp(static_cast<int>(std::floor((lon_lat.x + 180) / 6)) + 1, 1, 60);
-  return "EPSG:" + std::to_string((lon_lat.y < 0 ? 32700 : 32600) + zone);
-}
-
-// Returns whether the city's model is nothing but its map. Without an elevation model it stands on
-// a plane at height 0 then, and so does all that lies beyond its ground.
-bool is_map_alone(const CityInputs& inputs) {
-  return !inputs.files.empty() &&
-         std::all_of(inputs.files.begin(), inputs.files.end(), [&](const auto& file) {
-           return std::find(inputs.maps.begin(), inputs.maps.end(), file) != inputs.maps.end();
-         });
-}
-
-void add_names(const std::vector<std::filesystem::path>& files, std::vector<std::string>& names) {
-  for (const auto& file : files) names.push_back(file.filename().string());
-}
-
-}  // namespace
-
-std::string CityInputs::name() const {
-  if (!recipe.empty()) return recipe.string();
-  if (!files.empty()) return files.front().string();
-  return maps.empty() ? std::string() : maps.front().string();
-}
 
 City::City(CityInputs inputs, const std::filesystem::path& scratch)
     : inputs_(std::move(inputs)), terrain_(scratch), ground_(terrain_, inputs_.ground) {
@@ -108,56 +79,6 @@ void City::add_barrier_outlines() {
       map_.barriers.push_back(std::move(way));
 }
 
-namespace {
-
-// Places of lights are floats: 100 km from the origin these are 8 mm apart, and windows stand 2 cm
-// before their walls. An origin beyond that is moved in whole steps, so that neighbouring bakes
-// with the same one share the moved one as well, or differ by whole steps.
-constexpr double max_from_origin_m = 100'000, origin_step_m = 50'000;
-
-double keep_near(const std::optional<double>& asked, double place) {
-  if (!asked) return std::round(place);
-  const double away = place - *asked;
-  return std::abs(away) <= max_from_origin_m
-             ? *asked
-             : *asked + std::round(away / origin_step_m) * origin_step_m;
-}
-
-}  // namespace
-
-void City::report_moved_origin() const {
-  const glm::dvec3& place = frames_->reference();
-  const auto report = [&](const char* key, const std::optional<double>& asked, double at) {
-    if (const double kept = keep_near(asked, at); asked && kept != *asked)
-      fmt::print(
-          stderr,
-          "note: {}: [origin] {} = {:.3f} is {:.0f} km from the city, where places of lights "
-          "would be rounded to {:.2g} m: model space begins at {:.3f} instead, and "
-          "georeferences say so\n",
-          inputs_.name(), key, *asked, std::abs(at - *asked) / 1000, std::abs(at - *asked) * 1.2e-7,
-          kept);
-  };
-  report("easting", inputs_.origin_easting, place.x);
-  report("northing", inputs_.origin_northing, place.y);
-  report("height", inputs_.origin_height, place.z);
-}
-
-// The frame is that of the middle of the lamps, else of the first points of the streets.
-std::optional<City::MapFrame> City::find_map_frame(const osm::OsmData& map) {
-  std::vector<double> lon, lat;
-  const auto add = [&](const glm::dvec2& p) {
-    lon.push_back(p.x);
-    lat.push_back(p.y);
-  };
-  for (const osm::OsmLampNode& lamp : map.lamps) add(lamp.lon_lat);
-  if (lon.empty())
-    for (const osm::OsmWay& way : map.highways)
-      if (!way.lon_lat.empty()) add(way.lon_lat.front());
-  if (lon.empty()) return std::nullopt;
-  const glm::dvec2 middle(median(std::move(lon)), median(std::move(lat)));
-  return MapFrame{middle, georeference::CityFrame::from_srs_name(utm_zone(middle), {}, {})};
-}
-
 CityReport City::read(std::initializer_list<CityConsumer*> consumers,
                       const ProgressSink& progress) {
   if (!has_model()) return {};
@@ -173,10 +94,10 @@ CityReport City::read(std::initializer_list<CityConsumer*> consumers,
 GroundReport City::build_ground(std::initializer_list<CityConsumer*> consumers,
                                 const GroundBuilder::ShowGround& show) {
   if (!has_model()) return {};
-  if (is_map_alone(inputs_) && frame().has_lon_lat())
+  if (inputs_.is_map_alone() && frame().has_lon_lat())
     ground_.reach_for(find_map_places(map_, inputs_.cover, to_frame()));
   GroundReport report = ground_.build(frame(), show);
-  if (inputs_.cover.gaps && frame().has_lon_lat() && !is_map_alone(inputs_)) fill_gaps(consumers);
+  if (inputs_.cover.gaps && frame().has_lon_lat() && !inputs_.is_map_alone()) fill_gaps(consumers);
   lay_cover(report);
   return report;
 }
@@ -259,58 +180,6 @@ void City::lay_cover(const GroundReport& ground) {
   cover_.finish();
 }
 
-const CityFrames& City::frames() const {
-  if (!frames_)
-    throw UsageError(inputs_.name(), "names no city: [city] files = [\"...\"] is missing");
-  return *frames_;
-}
-
-const georeference::CityFrame& City::frame() const {
-  if (frames_) return frames_->city();
-  if (!map_frame_) throw Error(inputs_.name(), "the map has neither lamps nor streets");
-  return map_frame_->frame;
-}
-
-void City::require_lon_lat(const std::string& consequence) const {
-  if (!frame().has_lon_lat())
-    throw Error(inputs_.name(), "[city] crs",
-                "the city names no CRS: " + consequence + " without crs or control_points");
-}
-
-Georeference City::georeference(const std::optional<glm::dvec2>& middle) const {
-  Georeference result;
-  result.crs = frame().crs();
-  if (!is_map_alone(inputs_)) add_names(inputs_.files, result.sources);
-  add_names(inputs_.maps, result.sources);
-  for (const auto& inventory : inputs_.inventories) add_names({inventory.file}, result.sources);
-  if (!has_model()) {
-    const glm::dvec2 origin = glm::round(frame().from_lon_lat(map_frame_->middle));
-    result.origin = {origin.x, origin.y, 0};
-    result.licences = {inputs_.map_licence};
-    add_inventory_licences(result.licences);
-    return result;
-  }
-  const glm::dvec3& reference = frames_->reference();
-  const glm::dvec2 plan = middle.value_or(glm::dvec2(reference));
-  // An origin that is asked for is held against the same place by every stage.
-  result.origin = {
-      inputs_.origin_easting ? keep_near(inputs_.origin_easting, reference.x) : std::round(plan.x),
-      inputs_.origin_northing ? keep_near(inputs_.origin_northing, reference.y)
-                              : std::round(plan.y),
-      keep_near(inputs_.origin_height, reference.z)};
-  result.licences = inputs_.licences;
-  if (!inputs_.maps.empty()) result.licences.push_back(inputs_.map_licence);
-  add_inventory_licences(result.licences);
-  return result;
-}
-
-void City::add_inventory_licences(std::vector<std::string>& licences) const {
-  for (const inventory::InventoryFile& file : inputs_.inventories)
-    if (!file.licence.empty() &&
-        std::find(licences.begin(), licences.end(), file.licence) == licences.end())
-      licences.push_back(file.licence);
-}
-
 bool City::wants_model_streets() const {
   return has_model() && map_.highways.empty() && frame().has_lon_lat();
 }
@@ -324,17 +193,13 @@ StreetReport City::add_model_streets(const streets::RoadSurfaces& roads) {
           streets.km_by_code,      streets.junctions, streets.ends};
 }
 
-place::LonLatToFrame City::to_frame() const {
-  return [this](const glm::dvec2& lon_lat) { return frame().from_lon_lat(lon_lat); };
-}
-
 place::HeightAt City::height_at() const {
   if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
   // The plane that a map alone stands on goes on beyond its ground, but not round the earth: a row
   // of an inventory at 0, 0 is no lamp of this city.
   constexpr double plane_reach_m = 100'000;
   const auto box = terrain_.extent();
-  const bool has_plane = is_map_alone(inputs_) && !inputs_.ground.carries_buildings;
+  const bool has_plane = inputs_.is_map_alone() && !inputs_.ground.carries_buildings;
   return [this, has_plane, box](const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain_.height_at(place);
     if (!hit && has_plane) {
