@@ -10,6 +10,7 @@
 #include "runtime/render/frame_steps.h"
 #include "runtime/render/frame_values.h"
 #include "runtime/render/pass_constants.h"
+#include "runtime/render/setting_table.h"
 
 namespace nightcity::render {
 namespace {

@@ -1,5 +1,7 @@
 // Fills in what shaders read of a frame: its gpu::Frame, with the buffers that it reads and writes.
+#include "runtime/render/frame_steps.h"
 #include "runtime/render/frame_values.h"
+#include "runtime/render/pass_constants.h"
 #include "runtime/render/renderer.h"
 
 namespace nightcity::render {
