@@ -6,6 +6,7 @@
 
 #include "tools/city/attributes.h"
 #include "tools/citygml/tag_scanner.h"
+#include "tools/citygml/xlinks.h"
 
 namespace nightcity::citygml {
 namespace {
