@@ -1,4 +1,4 @@
-// How fast a device moves memory: the bound of every pass that only reads and writes.
+// Measures how fast a device moves memory: the bound of every pass that only reads and writes.
 #pragma once
 
 #include "runtime/gpu/device.h"

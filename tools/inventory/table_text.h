@@ -7,8 +7,8 @@
 namespace nightcity::inventory {
 
 /// Returns whether a CSV whose first bytes are `start` is to be put into another form: it begins
-/// with "sep=;", a comment behind '#' or blank lines, has bars between its columns, one column alone,
-/// or marks of seconds in cells without quotation marks (13°24'03.6").
+/// with "sep=;", a comment behind '#' or blank lines, has bars between its columns, one column
+/// alone, or marks of seconds in cells without quotation marks (13°24'03.6").
 bool is_odd_csv(std::string_view start);
 
 /// Takes "sep=;", comments and blank lines from the beginning of a CSV, makes tabs of the bars

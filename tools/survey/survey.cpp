@@ -171,8 +171,8 @@ SurveyedFile look_at(const fs::path& path) {
   if (inventory::is_named_as_table(path)) {
     const std::string as_other = std::exchange(why, {});
     if (attempt(look_at_table)) return file;
-    // The words for what a table lacks say more than that it is no city model; but JSON and archives may be
-    // anything.
+    // The words for what a table lacks say more than that it is no city model; but JSON and
+    // archives may be anything.
     constexpr std::array<std::string_view, 6> of_all_kinds{".json", ".jsonl", ".ndjson",
                                                            ".gz",   ".zip",   ".shz"};
     if (!is_table && city::ends_with_any(to_lower(path.string()), of_all_kinds)) why = as_other;

@@ -55,8 +55,8 @@ struct CityInputs {
   /// Returns the file to name in a message about the inputs as a whole: the recipe, else the first
   /// file.
   std::string name() const;
-  /// Returns whether the city's model is nothing but its map. Without an elevation model it stands on
-  /// a plane at height 0 then, and so does all that lies beyond its ground.
+  /// Returns whether the city's model is nothing but its map. Without an elevation model it stands
+  /// on a plane at height 0 then, and so does all that lies beyond its ground.
   bool is_map_alone() const;
 };
 
