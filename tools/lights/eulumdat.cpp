@@ -105,9 +105,10 @@ Head read_head(const TextLines& lines, Cursor& at) {
   luminaire.name = at.text("the luminaire's name");
   at.skip(3, "number, file and date");
   at.skip(3, "the luminaire's size");
-  luminaire.length_m = at.number_or(0, "the luminous length") / 1000;
-  luminaire.width_m = at.number_or(0, "the luminous width") / 1000;
-  luminaire.height_m = at.number_or(0, "the luminous height") / 1000;
+  // Programs that convert IES keep its negative sizes, which stand for round openings.
+  luminaire.length_m = std::abs(at.number_or(0, "the luminous length")) / 1000;
+  luminaire.width_m = std::abs(at.number_or(0, "the luminous width")) / 1000;
+  luminaire.height_m = std::abs(at.number_or(0, "the luminous height")) / 1000;
   at.skip(3, "the luminous heights");
   at.number_or(0, "the downward flux fraction");
   head.output_ratio = at.number_or(0, "the light output ratio") / 100;
@@ -193,7 +194,7 @@ Luminaire read_eulumdat(const std::filesystem::path& path) {
   unfold(lines, at, head, sector, luminaire.grid);
   luminaire.flux_lm = integrated_flux(luminaire.grid);
   if (!(luminaire.flux_lm > 0)) lines.fail(at.line(), "the luminaire gives no light");
-  luminaire.stated_flux_lm = head.lamp_flux_lm * head.output_ratio;
+  luminaire.stated_flux_lm = head.lamp_flux_lm * std::max(0.0, head.output_ratio);
   luminaire.street_side_degrees = guess_street_side(luminaire.grid, 90);
   return std::move(luminaire);
 }

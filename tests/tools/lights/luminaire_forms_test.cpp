@@ -317,6 +317,19 @@ TEST_F(LuminaireForms, EulumdatMayLeaveLinesBlankThatTheLightDoesNotNeed) {
   EXPECT_TRUE(begins_as_eulumdat(text));
 }
 
+// As an IES file of less than no lamps, a negative ratio states nothing.
+TEST_F(LuminaireForms, EulumdatHasNoNegativeSizesAndFluxes) {
+  const std::string text = ldt("0\n30\n60\n90\n", 4, "100\n100\n100\n100\n");
+  const Luminaire round = read(replaced(text, "500\n200\n0\n", "-500\n-200\n-50\n"), "a.ldt");
+  EXPECT_DOUBLE_EQ(round.length_m, 0.5);
+  EXPECT_DOUBLE_EQ(round.width_m, 0.2);
+  EXPECT_DOUBLE_EQ(round.height_m, 0.05);
+  EXPECT_NEAR(round.flux_lm, hemisphere_lm, 1e-6);
+  EXPECT_EQ(read(replaced(text, "100\n100\n1\n0\n1\n1\nLED", "100\n-100\n1\n0\n1\n1\nLED"), "a.ldt")
+                .stated_flux_lm,
+            0);
+}
+
 TEST_F(LuminaireForms, EulumdatCommasLineEndsAndRemainingNumbers) {
   const std::string text = ldt("0\n30\n60\n90\n", 4, "100,5\n100,5\n100,5\n100,5\n");
   EXPECT_NEAR(read(text, "a.ldt").flux_lm, 201 * pi, 1e-6);
