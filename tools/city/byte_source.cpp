@@ -257,17 +257,22 @@ std::vector<Document> list_documents(const std::filesystem::path& file,
   return list_contents(file, endings).documents;
 }
 
-std::string read_start(const Document& document, std::size_t most) {
-  std::string bytes(most, '\0');
-  std::size_t size = 0;
-  const auto source = document.open();
-  while (size < bytes.size()) {
-    const std::size_t got = source->read(bytes.data() + size, bytes.size() - size);
-    if (got == 0) break;
+std::string read_next(ByteSource& source, std::size_t most) {
+  constexpr std::size_t block = std::size_t{1} << 16;
+  std::string bytes;
+  for (std::size_t size = 0;;) {
+    bytes.resize(size + std::min(block, most - size));
+    const std::size_t got =
+        bytes.size() > size ? source.read(bytes.data() + size, bytes.size() - size) : 0;
     size += got;
+    if (got > 0) continue;
+    bytes.resize(size);
+    return bytes;
   }
-  bytes.resize(size);
-  return bytes;
+}
+
+std::string read_start(const Document& document, std::size_t most) {
+  return read_next(*document.open(), most);
 }
 
 bool mentions(const Document& document, std::string_view text) {

@@ -20,6 +20,9 @@ class ByteSource {
   virtual std::size_t read(char* out, std::size_t size) = 0;
 };
 
+/// Returns the next bytes of a source: `most`, or as many as there are.
+std::string read_next(ByteSource& source, std::size_t most);
+
 /// One document, to be read as often as needed. Text in UTF-16 is read as UTF-8.
 struct Document {
   std::string name;     // the file's path, with the entry's name behind it in an archive

@@ -172,14 +172,7 @@ bool begins_as_utf32(std::string_view start) {
 }
 
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
-  std::string start(looked_at_bytes, '\0');
-  std::size_t size = 0;
-  while (size < start.size()) {
-    const std::size_t got = source->read(start.data() + size, start.size() - size);
-    if (got == 0) break;
-    size += got;
-  }
-  start.resize(size);
+  std::string start = read_next(*source, looked_at_bytes);
   const bool utf32 = begins_as_utf32(start), utf16 = !utf32 && begins_as_utf16(start);
   const bool big_endian = start.starts_with('\xfe') || start.starts_with('\0');
   auto whole = std::make_unique<ResumedSource>(std::move(start), std::move(source));
@@ -191,14 +184,7 @@ std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
 std::string to_utf8(std::string text) {
   if (!begins_as_utf16(text) && !begins_as_utf32(text)) return text;
   const auto source = to_utf8(std::make_unique<ResumedSource>(std::move(text), nullptr));
-  std::string out;
-  for (std::size_t end = 0, size = 0;; end += size) {
-    out.resize(end + block_bytes);
-    size = source->read(out.data() + end, block_bytes);
-    if (size > 0) continue;
-    out.resize(end);
-    return out;
-  }
+  return read_next(*source, std::string::npos);
 }
 
 std::string decode_text(std::string text) {

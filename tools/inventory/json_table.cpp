@@ -12,6 +12,7 @@
 #include "tools/inventory/json_cells.h"
 #include "tools/inventory/json_pages.h"
 #include "tools/inventory/json_rows.h"
+#include "tools/inventory/memory_folder.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -19,7 +20,6 @@ namespace {
 using simdjson::dom::element;
 
 constexpr std::size_t most_columns = 2000;  // as many as GDAL reads of a CSV
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
 
 void append_cell(std::string_view text, std::string& csv) {
   csv += '"';
@@ -68,7 +68,7 @@ std::string write_csv(JsonRows& rows, const std::string& file, PlacesInRows& pla
     }
     // GDAL takes a single column for text.
     csv += cells.size() == 1 ? ",\n" : "\n";
-    if (csv.size() > most_bytes)
+    if (csv.size() > most_whole_bytes)
       throw Error(file,
                   "makes a table of more than 1 GB of its JSON: save it as CSV with the "
                   "columns that are needed");

@@ -7,6 +7,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/inventory/inventory.h"
+#include "tools/inventory/memory_folder.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -74,19 +75,10 @@ std::vector<city::Document> list_documents(const std::filesystem::path& file) {
 }  // namespace
 
 std::string read_whole(const city::Document& document, std::string_view remedy) {
-  constexpr std::size_t most = std::size_t{1} << 30, block = std::size_t{1} << 16;
-  const auto source = document.open();
-  std::string text;
-  for (std::size_t end = 0;;) {
-    text.resize(end + block);
-    const std::size_t size = source->read(text.data() + end, block);
-    end += size;
-    if (size == 0) {
-      text.resize(end);
-      return text;
-    }
-    if (end > most) throw Error(document.name, "is more than 1 GB: " + std::string(remedy));
-  }
+  std::string text = city::read_next(*document.open(), most_whole_bytes + 1);
+  if (text.size() > most_whole_bytes)
+    throw Error(document.name, "is more than 1 GB: " + std::string(remedy));
+  return text;
 }
 
 std::vector<MemoryFile> unpack_table(const std::filesystem::path& file) {

@@ -155,11 +155,10 @@ bool is_empty_json(const VectorFile& table) {
 
 // Returns all of a text that GDAL can open.
 std::string read_json(const std::string& path, const std::filesystem::path& file) {
-  constexpr vsi_l_offset most = vsi_l_offset{1} << 30;
   VSIStatBufL status;
   if (VSIStatL(path.c_str(), &status) != 0) return {};
   const auto size = static_cast<vsi_l_offset>(status.st_size);
-  if (size > most)
+  if (size > most_whole_bytes)
     throw Error(file.string(), "is JSON but no GeoJSON, of more than 1 GB: save it as CSV");
   std::string text(size, '\0');
   VSILFILE* const stream = VSIFOpenL(path.c_str(), "rb");

@@ -1,6 +1,7 @@
 // Every OpenEXR picture that the fuzzer starts from or has found, read in each test run.
 #include <gtest/gtest.h>
 
+#include "support/corpus.h"
 #include "tests/runtime/measure/sound_exr.h"
 
 namespace nightcity::measure {
@@ -10,12 +11,7 @@ const auto exr_corpus =
     std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/runtime/measure/corpus";
 
 TEST(ExrCorpus, EveryPictureIsReadOrRefused) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(exr_corpus)) {
-    EXPECT_EQ(test::find_fault_of_exr(entry.path()), "") << entry.path();
-    ++files;
-  }
-  EXPECT_GE(files, 4u);
+  test::expect_sound_files(exr_corpus, 4, test::find_fault_of_exr);
 }
 
 TEST(ExrCorpus, HoldsWholePictures) {

@@ -1,6 +1,7 @@
 // Every settings file that the fuzzer starts from or has found, read in each test run.
 #include <gtest/gtest.h>
 
+#include "support/corpus.h"
 #include "tests/runtime/render/sound_settings.h"
 
 namespace nightcity::render {
@@ -10,12 +11,7 @@ const auto settings_corpus =
     std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/runtime/render/corpus";
 
 TEST(SettingsCorpus, EveryFileIsReadOrRefused) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(settings_corpus)) {
-    EXPECT_EQ(test::find_fault_of_settings(entry.path()), "") << entry.path();
-    ++files;
-  }
-  EXPECT_GE(files, 3u);
+  test::expect_sound_files(settings_corpus, 3, test::find_fault_of_settings);
 }
 
 TEST(SettingsCorpus, HoldsAWholeFileOfEverySetting) {

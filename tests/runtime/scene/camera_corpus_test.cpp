@@ -1,6 +1,7 @@
 // Every file of cameras that the fuzzer starts from or has found, read in each test run.
 #include <gtest/gtest.h>
 
+#include "support/corpus.h"
 #include "support/temp_folder.h"
 #include "tests/runtime/scene/sound_camera.h"
 
@@ -11,13 +12,9 @@ const auto camera_corpus =
     std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/runtime/scene/corpus";
 
 TEST(CameraCorpus, EveryFileIsReadOrRefused) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(camera_corpus)) {
-    EXPECT_EQ(test::find_fault_of_cameras(entry.path(), test::read_text(entry.path())), "")
-        << entry.path();
-    ++files;
-  }
-  EXPECT_GE(files, 3u);
+  test::expect_sound_files(camera_corpus, 3, [](const std::filesystem::path& file) {
+    return test::find_fault_of_cameras(file, test::read_text(file));
+  });
 }
 
 TEST(CameraCorpus, HoldsAWholePathAndAWholePose) {

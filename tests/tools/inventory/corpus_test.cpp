@@ -3,19 +3,15 @@
 
 #include <filesystem>
 
+#include "support/corpus.h"
 #include "tests/tools/inventory/sound_inventory.h"
 
 namespace nightcity::inventory {
 namespace {
 
 TEST(InventoryCorpus, EveryFileIsReadOrRefused) {
-  std::size_t files = 0;
-  const std::filesystem::path corpus = NIGHTCITY_SOURCE_DIR "/tests/tools/inventory/corpus";
-  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
-    ++files;
-    EXPECT_EQ(test::find_fault_of_inventory(entry.path()), "") << entry.path();
-  }
-  EXPECT_GE(files, 6u);
+  test::expect_sound_files(NIGHTCITY_SOURCE_DIR "/tests/tools/inventory/corpus", 6,
+                           test::find_fault_of_inventory);
 }
 
 }  // namespace

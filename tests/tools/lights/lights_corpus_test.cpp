@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "support/corpus.h"
 #include "support/temp_folder.h"
 #include "tests/tools/lights/sound_luminaire.h"
 #include "tests/tools/lights/sound_tags.h"
@@ -13,21 +14,13 @@ namespace {
 const std::filesystem::path tests = NIGHTCITY_SOURCE_DIR "/tests/tools/lights";
 
 TEST(LightsCorpus, EveryLuminaireIsReadOrRefused) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(tests / "corpus")) {
-    ++files;
-    EXPECT_EQ(test::find_fault_of_luminaire(entry.path()), "") << entry.path();
-  }
-  EXPECT_GE(files, 8u);
+  test::expect_sound_files(tests / "corpus", 8, test::find_fault_of_luminaire);
 }
 
 TEST(LightsCorpus, EveryTagIsReadOrPassedOver) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(tests / "corpus_tags")) {
-    ++files;
-    EXPECT_EQ(test::find_fault_of_tags(test::read_text(entry.path())), "") << entry.path();
-  }
-  EXPECT_GE(files, 4u);
+  test::expect_sound_files(tests / "corpus_tags", 4, [](const std::filesystem::path& file) {
+    return test::find_fault_of_tags(test::read_text(file));
+  });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "support/corpus.h"
 #include "support/temp_folder.h"
 #include "tests/tools/terrain/sound_raster.h"
 
@@ -15,15 +16,12 @@ const auto raster_corpus =
     std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/terrain/corpus";
 
 TEST(RasterCorpus, EveryRasterIsReadOrRefused) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(raster_corpus)) {
-    const std::string bytes = test::read_text(entry.path());
+  test::expect_sound_files(raster_corpus, 5, [](const std::filesystem::path& file) {
+    const std::string bytes = test::read_text(file);
     const test::TempFolder folder;
     test::write_text(folder / test::name_raster(bytes), bytes);
-    EXPECT_EQ(test::find_fault_of_raster(folder / test::name_raster(bytes)), "") << entry.path();
-    ++files;
-  }
-  EXPECT_GE(files, 5u);
+    return test::find_fault_of_raster(folder / test::name_raster(bytes));
+  });
 }
 
 TEST(RasterCorpus, HoldsWholeRastersOfSeveralFormats) {
