@@ -58,10 +58,7 @@ class Reader {
     result_.report.doubt = crs_.doubt();
     layer_.ResetReading();
     for (OGRFeatureUniquePtr row; (row = OGRFeatureUniquePtr(layer_.GetNextFeature()));) {
-      if (static_cast<int>(++result_.report.rows) > file_.max_lamps)
-        throw Error(file_.file.string(),
-                    "has more rows than max_lamps in [[lamps.inventories]] = " +
-                        std::to_string(file_.max_lamps));
+      if (++result_.report.rows > most_lamps()) refuse_more("rows");
       take(*row);
     }
     if (CPLGetLastErrorType() == CE_Failure)
@@ -75,6 +72,14 @@ class Reader {
  private:
   const std::string& find_crs_of_form() const {
     return table_.crs.empty() ? texts_.crs() : table_.crs;
+  }
+
+  std::size_t most_lamps() const { return static_cast<std::size_t>(file_.max_lamps); }
+
+  [[noreturn]] void refuse_more(const char* things) const {
+    throw Error(file_.file.string(), std::string("has more ") + things +
+                                         " than max_lamps in [[lamps.inventories]] = " +
+                                         std::to_string(file_.max_lamps));
   }
 
   void require_geometry() const {
@@ -126,6 +131,8 @@ class Reader {
     if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90)) return skip(outside_crs);
     const auto [found, is_new] = at_place_.try_emplace({place.x, place.y}, result_.lamps.size());
     if (is_new) {
+      // One row may have any number of points.
+      if (result_.lamps.size() >= most_lamps()) refuse_more("lamps");
       osm::OsmLampNode& lamp = result_.lamps.emplace_back();
       lamp.id = make_id(result_.report.file, id);
       lamp.lon_lat = lon_lat;

@@ -609,6 +609,17 @@ TEST(Inventory, WhatCannotBeReadIsAnErrorWithARemedy) {
   file.crs = "EPSG:25833";
   EXPECT_EQ(error_of([&] { read_inventory(file); }).find("no error"), 0u)
       << "degrees are metres near (0, 0) there";
+  write_text(folder / "points.geojson",
+             R"({"type":"Feature","properties":{},"geometry":{"type":"MultiPoint",
+      "coordinates":[[13.1,52],[13.2,52],[13.3,52],[13.4,52]]}})");
+  file = {};
+  file.file = folder / "points.geojson";
+  file.max_lamps = 3;
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("more lamps than max_lamps"),
+            std::string::npos)
+      << "one row";
+  file.max_lamps = 4;
+  EXPECT_EQ(read_inventory(file).lamps.size(), 4u);
   write_text(folder / "wide.csv", std::string("\xff\xfe"
                                               "a\0,\0b\0",
                                               8));

@@ -33,7 +33,8 @@ inline std::string find_fault_of_inventory(const std::filesystem::path& path) {
     const inventory::Inventory read = inventory::read_inventory(file);
     for (const osm::OsmLampNode& lamp : read.lamps)
       if (!(std::abs(lamp.lon_lat.x) <= 180 && std::abs(lamp.lon_lat.y) <= 90)) return "place";
-    if (read.lamps.size() > read.report.rows) return "rows";
+    if (read.lamps.size() > static_cast<std::size_t>(file.max_lamps)) return "more than the limit";
+    if (!read.lamps.empty() && read.report.rows == 0) return "lamps without a row";
   } catch (const Error& error) {
     if (std::string(error.what()).empty()) return "an error without words";
   }

@@ -207,7 +207,7 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
                   "and is not used. The default is how well a phone knows its place under open sky "
                   "(4.9 m, gps.gov); 0 keeps all."),
        integer_key("max_lamps", row.max_lamps, 1, 100'000'000,
-                   "A limit: the bake ends at an inventory of more rows."),
+                   "A limit: the bake ends at an inventory of more rows or lamps."),
        text_key("licence", row.licence, "\"City of Example, CC0\"",
                 "The attribution that both output files carry.")}};
 }
