@@ -20,8 +20,11 @@ struct StoredHierarchy {
   glm::vec3 lower{0}, upper{0};  // their box in model space, m
   glm::vec2 along{1, 0};         // x and z of the direction that boxes of nodes lie along
   double area_m2 = 0;            // half the surfaces of all children's boxes, summed
-  // Little-endian numbers of 16 and 32 bits, as formats/hierarchy/topology.h reads them.
-  std::span<const std::byte> topology, order;
+  // Little-endian numbers of 16 and 32 bits, as formats/hierarchy/topology.h reads them, and cuts as
+  // formats/hierarchy/cuts.h does.
+  std::span<const std::byte> topology, order, cuts;
+
+  std::size_t count_cuts() const { return cuts.size() / 8; }
 };
 
 /// Returns whether these are x and z of a unit vector.

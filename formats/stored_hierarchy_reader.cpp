@@ -60,6 +60,7 @@ StoredHierarchy read_hierarchy(const Json& source, const gltf::AccessorReader& a
   // A hierarchy of one leaf has no node.
   if (const auto view = gltf::index(source, "topology")) result.topology = accessors.view(*view);
   result.order = accessors.view(read_count(source, "order"));
+  if (const auto view = gltf::index(source, "cuts")) result.cuts = accessors.view(*view);
   return result;
 }
 

@@ -51,6 +51,7 @@ Json describe_hierarchy(const StoredHierarchy& hierarchy, Addition& addition) {
     result["along"] = {double(hierarchy.along.x), double(hierarchy.along.y)};
   if (!hierarchy.topology.empty()) result["topology"] = addition.add(hierarchy.topology);
   result["order"] = addition.add(hierarchy.order);
+  if (!hierarchy.cuts.empty()) result["cuts"] = addition.add(hierarchy.cuts);
   return result;
 }
 

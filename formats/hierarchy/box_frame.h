@@ -31,10 +31,11 @@ struct BoxFrame {
   Float4 turn(Float4 p) const {
     return Float4{along.x * p[0] + along.y * p[2], p[1], along.x * p[2] - along.y * p[0], 0};
   }
-  /// Returns the box of a triangle in this frame, without margin.
-  Bounds bounds_of(const Corners& c) const {
-    return is_turned() ? Corners{turn(c.v0), turn(c.v1), turn(c.v2)}.bounds() : c.bounds();
+  Corners turn(const Corners& c) const {
+    return is_turned() ? Corners{turn(c.v0), turn(c.v1), turn(c.v2)} : c;
   }
+  /// Returns the box of a triangle in this frame, without margin.
+  Bounds bounds_of(const Corners& c) const { return turn(c).bounds(); }
 };
 
 }  // namespace nightcity::hierarchy

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "formats/hierarchy/binned_split.h"
 #include "formats/hierarchy/bounds.h"
 #include "formats/hierarchy/child.h"
 #include "formats/hierarchy/small_split.h"
@@ -24,6 +25,11 @@ constexpr std::uint32_t find_needed_stack(std::size_t boxes, std::uint32_t max_l
   return need;
 }
 
+/// Builder cuts no primitive.
+struct NoCuts {
+  static constexpr bool may_cut = false;
+};
+
 /// A child of a node, as the builder has measured it.
 struct MeasuredChild {
   Bounds box;
@@ -33,14 +39,17 @@ struct MeasuredChild {
 /// Builds the nodes over `primitives`, and brings these into the leaves' order. Access says what an
 /// Access::Primitive p is: bounds_of(p), weight_of(p) (entries of a leaf, at most max_weight),
 /// mask_of(p) (bits that a node tells of all below it), casts_shadow(p) and, where two centres are
-/// equal, precedes(p, q), so that the same input gives the same hierarchy everywhere. Nodes::Node
-/// has four numbers `child` (child.h), and Nodes::make(box, children) returns one in which these
-/// are left open. Several threads may build different ranges at the same time.
+/// equal, precedes(p, q), so that the same input gives the same hierarchy everywhere. Access::Cuts
+/// is NoCuts, or cuts primitives in two (spatial_split.h): a leaf then names its first primitive, in
+/// place of its first entry. Nodes::Node has four numbers `child` (child.h), and
+/// Nodes::make(box, children) returns one in which these are left open. Several threads may build
+/// different ranges at the same time.
 template <class Access, class Nodes>
 class Builder {
  public:
   using Node = typename Nodes::Node;
   using Primitive = typename Access::Primitive;
+  using Cuts = typename Access::Cuts;
   /// Consecutive primitives.
   struct Range {
     std::uint32_t begin = 0, end = 0;
@@ -48,6 +57,8 @@ class Builder {
     Bounds box, centres{};                // of the primitives, and of their centres
     std::uint32_t mask = 0;               // of all primitives
     std::uint32_t casting = 0;            // primitives that cast shadows
+    // Where Cuts may cut: so many places behind `end` are free, and as many cuts from this one on.
+    std::uint32_t room = 0, next_cut = 0;
     std::uint32_t size() const { return end - begin; }
     bool mixed() const { return casting > 0 && casting < size(); }
   };
@@ -57,8 +68,8 @@ class Builder {
   };
 
   /// A leaf has at most `max_leaf` entries, twice the weight of a primitive or more.
-  Builder(std::span<Primitive> primitives, std::uint32_t max_leaf)
-      : primitives_(primitives), max_leaf_(max_leaf) {}
+  Builder(std::span<Primitive> primitives, std::uint32_t max_leaf, const Cuts& cuts = {})
+      : primitives_(primitives), max_leaf_(max_leaf), cuts_(cuts) {}
 
   /// Returns the primitives from `begin` on, whose entries in leaves are those from `first` on.
   Range measure(std::uint32_t begin, std::uint32_t end, std::uint32_t first) const {
@@ -85,7 +96,8 @@ class Builder {
   Children split_in_four(const Range& r, std::uint32_t stack) {
     // A child may get nearly everything. Where the stack is too small for that, all four get
     // equally many.
-    const bool median = find_needed_stack(r.size(), max_leaf_ / Access::max_weight) + 3 > stack;
+    const bool median =
+        find_needed_stack(r.size() + r.room, max_leaf_ / Access::max_weight) + 3 > stack;
     Children children{{r}, 1};
     auto& [range, count] = children;
     while (count < 4) {
@@ -140,39 +152,14 @@ class Builder {
   }
 
  private:
-  static constexpr std::size_t max_bins = 64;
-  // With few primitives, most of 64 bins would be empty, and with very few sorting them is faster.
-  static constexpr std::uint32_t few = 24;
-  static constexpr std::size_t few_bins = 8;
-
-  // Maps centres to bins, on all axes at once.
-  struct Binning {
-    Float4 lower, scale{};
-    std::size_t bins;
-    explicit Binning(const Range& r)
-        : lower(r.centres.lower), bins(r.size() < few ? few_bins : max_bins) {
-      const Float4 extent = r.centres.upper - r.centres.lower;
-      for (int axis = 0; axis < 3; ++axis) {
-        const float per_m = static_cast<float>(bins) / extent[axis];
-        scale[axis] = extent[axis] > 0 && std::isfinite(per_m) ? per_m : 0.0f;
-      }
-    }
-    Int4 place(Float4 centre) const {
-      const float last = static_cast<float>(bins - 1);
-      return to_int(
-          min_of(max_of((centre - lower) * scale, Float4{}), Float4{last, last, last, 0}));
-    }
-  };
-  struct Bin {
-    Bounds box;
-    std::uint32_t weight = 0;
-  };
-  struct Split {
-    int axis = -1;
-    std::size_t bin = 0;  // of the right half's first
-  };
-
   std::pair<Range, Range> split(const Range& r, bool median) {
+    const auto halves = split_whole(r, median);
+    if constexpr (Cuts::may_cut) return median ? share_room(halves) : cut_or_keep(r, halves);
+    return halves;
+  }
+
+  // Splits a range between primitives.
+  std::pair<Range, Range> split_whole(const Range& r, bool median) {
     if (r.mixed() && !median) {  // then no shadow ray tests boxes of what casts none
       const auto begin = primitives_.begin() + r.begin, end = primitives_.begin() + r.end;
       const auto at = r.begin + static_cast<std::uint32_t>(
@@ -180,20 +167,37 @@ class Builder {
       return measure_halves(r, at);
     }
     if (!median && r.size() <= max_small_split) return split_few(r);
-    const Binning binning(r);
-    const Split best = median           ? Split{}
-                       : r.size() < few ? find_split<few_bins>(r, binning)
-                                        : find_split<max_bins>(r, binning);
-    if (best.axis >= 0) {
-      // As Binning::place, on one axis: truncation to below a whole number is being below it.
-      const float lower = binning.lower[best.axis], scale = binning.scale[best.axis],
-                  bin = static_cast<float>(best.bin);
-      const std::uint32_t at = partition(r, [&](const Primitive& p) {
-        return (Access::bounds_of(p).centre()[best.axis] - lower) * scale < bin;
-      });
-      return measure_halves(r, at);
-    }
+    if (!median)
+      if (const BinnedSplit<Access> best(primitives_.subspan(r.begin, r.size()), r.centres);
+          best.is_found())
+        return measure_halves(r, partition(r, [&](const Primitive& p) { return best.is_left(p); }));
     return measure_halves(r, split_at_median(r));
+  }
+
+  // Cuts primitives of a range, where that is better than its halves; both get room for more.
+  std::pair<Range, Range> cut_or_keep(const Range& r, const std::pair<Range, Range>& halves) {
+    const auto& [left, right] = halves;
+    Range whole = r;
+    const auto middle = cuts_.split(primitives_, whole, left, right);
+    return share_room(middle ? measure_halves(whole, *middle) : halves);
+  }
+
+  // Gives each half that may be cut room by its size, behind its primitives: those of the right half
+  // move.
+  std::pair<Range, Range> share_room(std::pair<Range, Range> halves) {
+    auto& [left, right] = halves;
+    const std::uint32_t of_left = Cuts::find_share(right.room, left, right);
+    const std::uint32_t moved = std::min(of_left, right.size());
+    std::copy_n(primitives_.begin() + right.begin, moved,
+                primitives_.begin() + (right.end + of_left - moved));
+    left.room = of_left;
+    right.room -= of_left;
+    right.next_cut += of_left;
+    right.begin += of_left;
+    right.end += of_left;
+    left.first = left.begin;
+    right.first = right.begin;
+    return halves;
   }
 
   // Splits where the sum of area times weight is smallest over all positions in the orders of their
@@ -213,8 +217,11 @@ class Builder {
   }
 
   std::pair<Range, Range> measure_halves(const Range& r, std::uint32_t middle) const {
-    const Range left = measure(r.begin, middle, r.first);
-    return {left, measure(middle, r.end, r.first + left.weight)};
+    Range left = measure(r.begin, middle, r.first),
+          right = measure(middle, r.end, r.first + left.weight);
+    left.next_cut = right.next_cut = r.next_cut;
+    right.room = r.room;
+    return {left, right};
   }
 
   // Moves the primitives for which `is_left` holds before the others, and returns the position of
@@ -230,56 +237,6 @@ class Builder {
       middle += is_left(p) ? 1 : 0;
     }
     return middle;
-  }
-
-  // Finds the split with the smallest sum of area times weight over both halves.
-  template <std::size_t bin_count>
-  Split find_split(const Range& r, const Binning& binning) const {
-    std::array<std::array<Bin, bin_count>, 3> bins;
-    for (std::uint32_t i = r.begin; i < r.end; ++i) {
-      const Bounds box = Access::bounds_of(primitives_[i]);
-      const Int4 place = binning.place(box.centre());
-      const std::uint32_t weight = Access::weight_of(primitives_[i]);
-      for (int axis = 0; axis < 3; ++axis) {
-        Bin& bin = bins[static_cast<std::size_t>(axis)][static_cast<std::size_t>(place[axis])];
-        bin.box.grow(box);
-        bin.weight += weight;
-      }
-    }
-    float best_cost = INFINITY;
-    Split best;
-    for (int axis = 0; axis < 3; ++axis)
-      if (binning.scale[axis] > 0)
-        try_axis(std::span<const Bin, bin_count>(bins[static_cast<std::size_t>(axis)]), axis,
-                 best_cost, best);
-    return best;
-  }
-
-  template <std::size_t count>
-  static void try_axis(std::span<const Bin, count> bins, int axis, float& best_cost, Split& best) {
-    std::array<float, count> right_cost{};
-    Bounds right;
-    std::uint32_t rights = 0;
-    for (std::size_t bin = count - 1; bin > 0; --bin) {
-      if (bins[bin].weight > 0) {
-        right.grow(bins[bin].box);
-        rights += bins[bin].weight;
-      }
-      if (rights > 0) right_cost[bin] = right.half_area() * static_cast<float>(rights);
-    }
-    const std::uint32_t all = rights + bins[0].weight;
-    Bounds left;
-    std::uint32_t lefts = 0;
-    for (std::size_t bin = 1; bin < count; ++bin) {
-      if (bins[bin - 1].weight == 0) continue;  // the split before costs the same
-      left.grow(bins[bin - 1].box);
-      lefts += bins[bin - 1].weight;
-      if (lefts == all) break;
-      const float cost = left.half_area() * static_cast<float>(lefts) + right_cost[bin];
-      if (!(cost < best_cost)) continue;
-      best_cost = cost;
-      best = {axis, bin};
-    }
   }
 
   std::uint32_t split_at_median(const Range& r) {
@@ -298,6 +255,7 @@ class Builder {
 
   std::span<Primitive> primitives_;
   std::uint32_t max_leaf_;
+  Cuts cuts_;
 };
 
 }  // namespace nightcity::hierarchy

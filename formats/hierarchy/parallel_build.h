@@ -30,11 +30,14 @@ class ParallelBuild {
  public:
   using Primitive = typename Access::Primitive;
   using Node = typename Nodes::Node;
-  /// Appends to `nodes`.
+  /// Appends to `nodes`. The last `room` of the primitives are none yet, but room for what `cuts`
+  /// cuts.
   ParallelBuild(std::span<Primitive> primitives, std::uint32_t max_leaf, unsigned threads,
-                LargeVector<Node>& nodes)
-      : builder_(primitives, max_leaf),
-        count_(static_cast<std::uint32_t>(primitives.size())),
+                LargeVector<Node>& nodes, const typename Access::Cuts& cuts = {},
+                std::uint32_t room = 0)
+      : builder_(primitives, max_leaf, cuts),
+        count_(static_cast<std::uint32_t>(primitives.size()) - room),
+        room_(room),
         threads_(threads),
         nodes_(nodes) {}
 
@@ -87,6 +90,7 @@ class ParallelBuild {
     });
     Range all;
     all.end = count_;
+    all.room = room_;
     all.first = first;
     for (const Range& r : measured) {
       all.box.grow(r.box);
@@ -162,7 +166,7 @@ class ParallelBuild {
   }
 
   RangeBuilder builder_;
-  std::uint32_t count_;
+  std::uint32_t count_, room_;
   unsigned threads_;
   LargeVector<Node>& nodes_;
   std::uint32_t base_ = 0;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "formats/hierarchy/parallel_build.h"
+#include "formats/hierarchy/cutting_build.h"
 #include "formats/hierarchy/static_geometry.h"
 #include "formats/hierarchy/triangle_pieces.h"
 #include "formats/hierarchy/wall_directions.h"
@@ -21,26 +21,29 @@ class PieceGatherer {
  public:
   // `most`: there are so many triangles at most. Memory is taken when it is written to, so that room
   // for all costs nothing, and no copies are made as they become more.
-  PieceGatherer(std::size_t most, const BoxFrame& frame) : frame_(frame) { pieces_.reserve(most); }
+  PieceGatherer(std::size_t most, const BoxFrame& frame) : frame_(frame) {
+    result_.pieces.reserve(most + find_room(most));
+    result_.large.reserve(most);
+  }
   void add(const Corners& triangle) {
     chunk_.push_back(triangle);
-    if (chunk_.size() == piece_chunk) cut();
+    if (chunk_.size() == piece_chunk) end_chunk();
   }
   // To be called once, after the last triangle.
-  LargeVector<TrianglePiece> take() {
-    cut();
-    return std::move(pieces_);
+  CutPieces take() {
+    end_chunk();
+    return std::move(result_);
   }
   std::uint32_t triangles() const { return triangles_; }
   // Returns their box in the scene's own frame.
   const Bounds& box() const { return box_; }
 
  private:
-  void cut() {
+  void end_chunk() {
     made_.clear();
-    append_pieces(chunk_, true, triangles_, frame_, made_);
+    append_pieces(chunk_, true, triangles_, frame_, made_, &result_.large);
     for (const Corners& triangle : chunk_) box_.grow(triangle.bounds());
-    pieces_.insert(pieces_.end(), made_.begin(), made_.end());
+    result_.pieces.insert(result_.pieces.end(), made_.begin(), made_.end());
     triangles_ += static_cast<std::uint32_t>(chunk_.size());
     chunk_.clear();
   }
@@ -49,7 +52,7 @@ class PieceGatherer {
   Bounds box_;
   std::vector<Corners> chunk_;
   std::vector<TrianglePiece> made_;
-  LargeVector<TrianglePiece> pieces_;
+  CutPieces result_;
   std::uint32_t triangles_ = 0;
 };
 
@@ -67,7 +70,7 @@ class SceneTriangles {
 
   // Gathers the triangles of static nodes in the order in which nightview stores them, and sets the
   // nodes, the number of triangles and their box.
-  LargeVector<TrianglePiece> gather(const BoxFrame& frame, StoredHierarchy& hierarchy) {
+  CutPieces gather(const BoxFrame& frame, StoredHierarchy& hierarchy) {
     PieceGatherer gatherer(count(), frame);
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       if (!is_static_[i] || nodes()[i].casts_shadow != hierarchy.casts_shadow) continue;
@@ -77,7 +80,7 @@ class SceneTriangles {
       for_each_triangle(nodes()[i], placements,
                         [&](const Corners& triangle) { gatherer.add(triangle); });
     }
-    LargeVector<TrianglePiece> pieces = gatherer.take();
+    CutPieces pieces = gatherer.take();
     hierarchy.triangles = gatherer.triangles();
     hierarchy.lower = to_vec3(gatherer.box().lower);
     hierarchy.upper = to_vec3(gatherer.box().upper);
@@ -152,21 +155,13 @@ class SceneTriangles {
 std::optional<BuiltHierarchy> build(SceneTriangles& triangles, bool casts_shadow,
                                     const BoxFrame& frame, unsigned threads) {
   BuiltHierarchy built;
-  built.description.casts_shadow = casts_shadow;
-  built.description.along = frame.along;
-  LargeVector<TrianglePiece> pieces = triangles.gather(frame, built.description);
-  if (pieces.empty()) return std::nullopt;
-  LargeVector<BareNode> nodes;
-  const Root root =
-      ParallelBuild<PieceAccess<2>, BareNodes>(std::span(pieces), static_leaf, threads, nodes)
-          .build(0, static_stack);
-  LargeVector<std::uint32_t> order;
-  order.reserve(built.description.triangles);
-  for (const TrianglePiece& piece : pieces)
-    for (std::uint32_t i = 0; i < piece.count(); ++i) order.push_back(piece.first() + i);
-  pieces = {};
-  for (const BareNode& node : nodes) built.description.area_m2 += double(node.area);
-  built.encoded = encode(nodes, root.node, order);
+  StoredHierarchy& described = built.description;
+  described.casts_shadow = casts_shadow;
+  described.along = frame.along;
+  CutPieces pieces = triangles.gather(frame, described);
+  if (pieces.pieces.empty()) return std::nullopt;
+  built.encoded =
+      build_with_cuts(std::move(pieces), described.triangles, threads, described.area_m2);
   return built;
 }
 
@@ -184,6 +179,7 @@ std::vector<BuiltHierarchy> build_static_hierarchies(const std::filesystem::path
   for (BuiltHierarchy& built : result) {
     built.description.topology = std::as_bytes(std::span(built.encoded.topology));
     built.description.order = std::as_bytes(std::span(built.encoded.order));
+    built.description.cuts = std::as_bytes(std::span(built.encoded.cuts));
   }
   return result;
 }

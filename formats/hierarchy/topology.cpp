@@ -125,9 +125,11 @@ std::string decode_topology(std::span<const std::byte> bytes, std::uint32_t tria
 }
 
 std::string decode_order(std::span<const std::byte> bytes, std::uint32_t first,
-                         std::span<std::uint32_t> order) {
+                         std::span<std::uint32_t> order, std::span<const Cut> cuts) {
   if (bytes.size() % sizeof(std::uint32_t) != 0) return "its order ends within a number";
-  std::vector<std::uint64_t> seen((order.size() + 63) / 64);
+  const std::size_t parts = order.size() + cuts.size();  // a cut makes two of one
+  std::vector<std::uint64_t> seen((parts + 63) / 64);
+  for (const Cut& cut : cuts) seen[cut.part / 64] |= std::uint64_t{1} << (cut.part % 64);
   std::size_t done = 0;
   for (std::size_t i = 0; i < bytes.size() / sizeof(std::uint32_t); ++i) {
     const auto entry = load<std::uint32_t>(bytes, i);
@@ -135,7 +137,7 @@ std::string decode_order(std::span<const std::byte> bytes, std::uint32_t first,
     if (count > order.size() - done) return "its order has more triangles than there are";
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t triangle = (entry & leaf_first_mask) + k;
-      if (triangle >= order.size()) return "its order names a triangle that is not there";
+      if (triangle >= parts) return "its order names a triangle that is not there";
       const std::uint64_t bit = std::uint64_t{1} << (triangle % 64);
       if (seen[triangle / 64] & bit) return "its order names a triangle twice";
       seen[triangle / 64] |= bit;

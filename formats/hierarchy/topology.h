@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formats/hierarchy/child.h"
+#include "formats/hierarchy/cuts.h"
 #include "formats/hierarchy/parallel_build.h"
 #include "formats/large_vector.h"
 
@@ -42,11 +43,12 @@ constexpr std::uint32_t most_in_run = 32;
 struct Encoded {
   std::vector<std::uint16_t> topology;
   std::vector<std::uint32_t> order;
+  std::vector<Cut> cuts;
 };
 
-/// Returns a hierarchy as numbers. `order`: the triangle at each position of the leaves, which
-/// there are as many as there are triangles. Nodes and triangles are written as a traversal meets
-/// them that takes the children of each node in their order.
+/// Returns a hierarchy as numbers, without cuts. `order`: the triangle or part at each position of
+/// the leaves. Nodes and triangles are written as a traversal meets them that takes the children of
+/// each node in their order.
 Encoded encode(std::span<const BareNode> nodes, std::uint32_t root,
                std::span<const std::uint32_t> order);
 
@@ -63,17 +65,17 @@ struct Topology {
   }
 };
 
-/// Reads the topology of a hierarchy over `triangles` triangles, of which at most `max_leaf` are in
-/// a leaf. Without a node there is one leaf. Returns why it is refused, "" where it is not: a node
+/// Reads the topology of a hierarchy over `triangles` triangles or parts, of which at most
+/// `max_leaf` are in a leaf. Without a node there is one leaf. Returns why it is refused, "" where it is not: a node
 /// too many or too few, one with fewer than two children, leaves that are too large or do not add
 /// up, or a ray that would have to defer more than `max_stack` entries.
 std::string decode_topology(std::span<const std::byte> bytes, std::uint32_t triangles,
                             std::uint32_t max_leaf, std::uint32_t max_stack, Topology& result);
 
-/// Reads the triangle at each position of the leaves: `order` has room for all, and `first` is
-/// added to their numbers. Returns why it is refused, "" where it is not: the numbers are no
-/// permutation.
+/// Reads the triangle or part at each position of the leaves: `order` has room for all, which are
+/// one more than there are triangles for each cut, and `first` is added to their numbers. Returns
+/// why it is refused, "" where it is not: it does not have each part once that was not cut.
 std::string decode_order(std::span<const std::byte> bytes, std::uint32_t first,
-                         std::span<std::uint32_t> order);
+                         std::span<std::uint32_t> order, std::span<const Cut> cuts = {});
 
 }  // namespace nightcity::hierarchy

@@ -1,5 +1,7 @@
 #include "formats/hierarchy/triangle_pieces.h"
 
+#include <algorithm>
+
 namespace nightcity::hierarchy {
 namespace {
 
@@ -22,21 +24,30 @@ bool is_compact(const Bounds& a, const Bounds& b) {
   return both.half_area() <= a.half_area() + b.half_area();
 }
 
+bool is_large(const Bounds& box) {
+  const Float4 size = box.upper - box.lower;
+  return std::max({size[0], size[1], size[2]}) >= min_cut_m;
+}
+
 }  // namespace
 
 void append_pieces(std::span<const Corners> chunk, bool pairs, std::uint32_t number,
-                   const BoxFrame& frame, std::vector<TrianglePiece>& pieces) {
+                   const BoxFrame& frame, std::vector<TrianglePiece>& pieces,
+                   LargeVector<Corners>* large) {
   for (std::size_t i = 0; i < chunk.size();) {
     Bounds box = frame.bounds_of(chunk[i]);
-    std::uint32_t count = 1;
-    if (pairs && i + 1 < chunk.size() && share_edge(chunk[i], chunk[i + 1])) {
+    std::uint32_t count = 1, mark = 0;
+    if (large && is_large(box)) {
+      mark = TrianglePiece::large_bit | static_cast<std::uint32_t>(large->size());
+      large->push_back(frame.turn(chunk[i]));
+    } else if (pairs && i + 1 < chunk.size() && share_edge(chunk[i], chunk[i + 1])) {
       const Bounds next = frame.bounds_of(chunk[i + 1]);
-      if (is_compact(box, next)) {
+      if (is_compact(box, next) && !(large && is_large(next))) {
         box.grow(next);
         count = 2;
       }
     }
-    pieces.emplace_back(box.widened(frame.margin_m), number, count);
+    pieces.emplace_back(box.widened(frame.margin_m), number, mark != 0 ? mark : count);
     i += count;
     number += count;
   }

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "formats/hierarchy/box_frame.h"
+#include "formats/hierarchy/builder.h"
+#include "formats/large_vector.h"
 
 namespace nightcity::hierarchy {
 
@@ -23,6 +25,12 @@ class TrianglePiece {
   std::uint32_t first() const { return static_cast<std::uint32_t>(lower_[3]); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(upper_[3]); }
 
+  // Of a hierarchy that may cut, pieces of large triangles are marked: their count is the number of
+  // the triangle among these, and first() that of the part.
+  static constexpr std::uint32_t large_bit = 0x80000000u;
+  bool is_large() const { return (count() & large_bit) != 0; }
+  std::uint32_t large() const { return count() & ~large_bit; }
+
  private:
   static Int4 put(Float4 xyz, std::uint32_t number) {
     Int4 bits = std::bit_cast<Int4>(xyz);
@@ -36,6 +44,7 @@ class TrianglePiece {
 template <std::uint32_t max>
 struct PieceAccess {
   using Primitive = TrianglePiece;
+  using Cuts = NoCuts;
   static constexpr std::uint32_t max_weight = max;
   static Bounds bounds_of(const Primitive& p) { return p.bounds(); }
   static std::uint32_t weight_of(const Primitive& p) { return max == 1 ? 1 : p.count(); }
@@ -48,10 +57,17 @@ struct PieceAccess {
 /// pair crosses the end of such a chunk.
 constexpr std::size_t piece_chunk = 1 << 12;
 
+/// Triangles that may be cut are as long as this along an axis of their boxes: half of those that
+/// cuts were found to help are over 20 m long, and one in ten is shorter.
+constexpr float min_cut_m = 4;
+
 /// Appends the pieces of a chunk of triangles, whose numbers count from `number` on. With `pairs`,
 /// two triangles that follow each other are one piece where they share an edge and their common box
-/// is no larger than both boxes together. Boxes are those of `frame`, with its margin.
+/// is no larger than both boxes together. Boxes are those of `frame`, with its margin. `large`:
+/// where the corners of triangles that may be cut are appended, in `frame`, and whose pieces are
+/// marked so; null = none may.
 void append_pieces(std::span<const Corners> chunk, bool pairs, std::uint32_t number,
-                   const BoxFrame& frame, std::vector<TrianglePiece>& pieces);
+                   const BoxFrame& frame, std::vector<TrianglePiece>& pieces,
+                   LargeVector<Corners>* large = nullptr);
 
 }  // namespace nightcity::hierarchy

@@ -41,10 +41,10 @@ void free_memory_of(List& values) {
 // given back whenever that many triangles were read.
 constexpr std::size_t resident_triangles = 1 << 18;
 gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scene) {
-  gpu::Buffer buffer(device, scene.triangles.size() * sizeof(gpu::Triangle));
+  gpu::Buffer buffer(device, scene.triangle_order.size() * sizeof(gpu::Triangle));
   std::atomic<std::size_t> read = 0;
   buffer.make_first<gpu::Triangle>(
-      scene.triangles.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
+      scene.triangle_order.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
         constexpr std::size_t piece = 1 << 14;
         run_parallel((to.size() + piece - 1) / piece, count_cores(), [&](std::size_t i) {
           const std::size_t begin = i * piece, count = std::min(piece, to.size() - begin);
@@ -126,9 +126,9 @@ void DeviceScene::store_textures(const scene::RenderScene& scene) {
   for (std::size_t i = 0; i < linear.size(); ++i)
     linear[i] = static_cast<float>(linear_from_srgb(double(i) / COLOUR_STEPS));
   addresses_.linear_of_step = store(std::span<const float>(linear));
-  gpu::Buffer corners(device_, scene.triangles.size() * sizeof(gpu::TextureCorners));
+  gpu::Buffer corners(device_, scene.triangle_order.size() * sizeof(gpu::TextureCorners));
   corners.make_first<gpu::TextureCorners>(
-      scene.triangles.size(), [&](std::span<gpu::TextureCorners> to, std::size_t first) {
+      scene.triangle_order.size(), [&](std::span<gpu::TextureCorners> to, std::size_t first) {
         for (std::size_t i = 0; i < to.size(); ++i)
           to[i] = scene.triangles.texture_corners(scene.triangle_order[first + i]);
       });
@@ -155,7 +155,7 @@ void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderS
     with_triangles = scene.instances;
     instances = with_triangles;
     for (gpu::Instance& instance : with_triangles)
-      instance.root = tlas_->first_triangle(instance.root);
+      instance.root = tlas_->first_position(instance.root);
     addresses_.tlas = to_words(tlas_->top_level(0).address());
   }
   if (scene.traffic.trips.empty()) {
@@ -177,7 +177,7 @@ void DeviceScene::store_traffic(const scene::RenderScene& scene,
   to.vehicles = store(std::span(traffic.vehicles));
   std::vector<gpu::VehicleBody> bodies = traffic.bodies;
   if (tlas_) {
-    for (gpu::VehicleBody& body : bodies) body.root = tlas_->first_triangle(body.root);
+    for (gpu::VehicleBody& body : bodies) body.root = tlas_->first_position(body.root);
     to.body_blas = tlas_->body_blas();
     to.has_tlas = 1;
   }

@@ -22,6 +22,7 @@ struct BoxAccess {
     Bounds box;
     std::uint32_t index, mask;
   };
+  using Cuts = hierarchy::NoCuts;
   static constexpr std::uint32_t max_weight = 1;
   static std::uint32_t weight_of(const Primitive&) { return 1; }
   static Bounds bounds_of(const Primitive& p) { return p.box; }
@@ -70,20 +71,21 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order,
-                   const hierarchy::BoxFrame& frame) {
+                   const hierarchy::BoxFrame& frame, std::size_t more_before) {
   const std::size_t count = order.size();
-  check_sizes(first + count, BVH_MAX_LEAF, UINT32_MAX);
+  check_sizes(first + more_before + count, BVH_MAX_LEAF, UINT32_MAX);
   check_sizes(count, max_leaf, max_stack);
   // If every piece were a pair, a leaf would hold half as many pieces.
   const bool pairs = max_leaf >= 4 && needed_stack(count, max_leaf / 2) <= max_stack;
-  const auto from = static_cast<std::uint32_t>(first);
+  const auto from = static_cast<std::uint32_t>(first),
+             position = static_cast<std::uint32_t>(first + more_before);
   Bounds box;
   LargeVector<TrianglePiece> pieces =
       make_pieces(triangles, first, count, pairs, frame, threads, box);
   triangles.release_pages();  // from here on, only the pieces are needed
   const hierarchy::Root root =
-      pairs ? Build<PieceAccess<2>>(pieces, max_leaf, threads, nodes).build(from, max_stack)
-            : Build<PieceAccess<1>>(pieces, max_leaf, threads, nodes).build(from, max_stack);
+      pairs ? Build<PieceAccess<2>>(pieces, max_leaf, threads, nodes).build(position, max_stack)
+            : Build<PieceAccess<1>>(pieces, max_leaf, threads, nodes).build(position, max_stack);
   auto at = order.begin();
   for (const TrianglePiece& piece : pieces)
     for (std::uint32_t i = 0; i < piece.count(); ++i) *at++ = from + piece.first() + i;

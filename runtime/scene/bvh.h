@@ -39,12 +39,13 @@ struct BvhRoot {
 
 /// Builds a BVH over the triangles from `first` on as build_bvh does, and appends its nodes to
 /// `nodes`, whose boxes are those of `frame`. `order`, which is as long as there are such triangles,
-/// gets the number of the triangle at each position of the leaves. Positions count from `first` on.
-/// Two triangles that follow each other and share an edge, as halves of quads do, are not parted.
+/// gets the number of the triangle at each position of the leaves. Positions count from `first` on,
+/// and from as many more as leaves before have more positions than triangles (`more_before`). Two
+/// triangles that follow each other and share an edge, as halves of quads do, are not parted.
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order,
-                   const hierarchy::BoxFrame& frame = {});
+                   const hierarchy::BoxFrame& frame = {}, std::size_t more_before = 0);
 
 /// Throws Error if a scene can not have as many triangles.
 void check_triangle_count(std::size_t count);

@@ -44,24 +44,29 @@ std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& 
                                        unsigned threads, std::uint32_t stack = mesh_stack,
                                        const StoredHierarchy* stored = nullptr,
                                        const hierarchy::BoxFrame& frame = {}) {
-  const std::size_t count = range.end - range.first;
-  scene.triangle_order.resize(range.end);
-  const auto order = std::span(scene.triangle_order).subspan(range.first);
+  const std::size_t count = range.end - range.first, position = scene.triangle_order.size();
+  const auto make_room = [&](std::size_t positions) {
+    scene.triangle_order.resize(position + positions);
+    return std::span(scene.triangle_order).subspan(position);
+  };
+  const std::size_t more_before = position - range.first;
   BvhRoot root;
   bool is_built = stored == nullptr;
   if (stored) {
-    const std::string fault = append_stored_bvh(scene.nodes, scene.triangles, range.first, *stored,
-                                                triangle_leaf, stack, threads, order, root, frame);
+    const std::string fault = append_stored_bvh(
+        scene.nodes, scene.triangles, range.first, *stored, triangle_leaf, stack, threads,
+        make_room(count + stored->count_cuts()), root, frame, more_before);
     is_built = !fault.empty();
     scene.stored_hierarchies += is_built ? 0 : 1;
     if (is_built) say_unused(scene, fault);
   }
   if (is_built)
     root = append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads,
-                      order, frame);
+                      make_room(count), frame, more_before);
   if (count > 0)
-    scene.meshes.push_back(
-        {root.node, static_cast<std::uint32_t>(range.first), static_cast<std::uint32_t>(count)});
+    scene.meshes.push_back({root.node, static_cast<std::uint32_t>(range.first),
+                            static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(position),
+                            static_cast<std::uint32_t>(scene.triangle_order.size() - position)});
   return {root.node, root.box};
 }
 

@@ -8,6 +8,7 @@
 #include "formats/hierarchy/topology.h"
 #include "formats/parallel.h"
 #include "runtime/scene/quantised_nodes.h"
+#include "runtime/scene/triangle_parts.h"
 
 namespace nightcity::scene {
 namespace {
@@ -26,13 +27,14 @@ constexpr double max_area = 1.01;
 // Measures the boxes of a hierarchy from the leaves to the root.
 class Measuring {
  public:
-  Measuring(const Topology& topology, const TriangleList& triangles,
-            const hierarchy::BoxFrame& frame, std::size_t first,
-            std::span<const std::uint32_t> order, LargeVector<gpu::BvhNode>& nodes)
+  Measuring(const Topology& topology, const TriangleList& triangles, const TriangleParts& parts,
+            const hierarchy::BoxFrame& frame, std::size_t position, std::span<std::uint32_t> order,
+            LargeVector<gpu::BvhNode>& nodes)
       : topology_(topology),
         triangles_(triangles),
+        parts_(parts),
         frame_(frame),
-        first_(static_cast<std::uint32_t>(first)),
+        position_(static_cast<std::uint32_t>(position)),
         order_(order),
         base_(static_cast<std::uint32_t>(nodes.size())) {
     nodes.resize(nodes.size() + topology.codes.size());
@@ -117,7 +119,7 @@ class Measuring {
         node, position, [&](auto, std::uint32_t code, std::uint32_t at, std::uint32_t child) {
           const bool is_node = code == hierarchy::child_is_node;
           children[count] = {is_node ? below(child, at) : leaf(at, code), 0xFFu};
-          numbers[count] = is_node ? base_ + child : hierarchy::make_leaf(first_ + at, code);
+          numbers[count] = is_node ? base_ + child : hierarchy::make_leaf(position_ + at, code);
           all.grow(children[count].box);
           ++count;
         });
@@ -137,9 +139,17 @@ class Measuring {
 
   void measure(Task& task) {
     Pass pass{task.area_m2, std::vector<Bounds>(topology_.triangles[task.node]), task.position};
-    triangles_.measure(order_.subspan(task.position, pass.boxes.size()), frame_, pass.boxes,
-                       task.all);
+    measure_boxes(task.position, pass.boxes, task.all);
     task.box = measure_below(task.node, task.position, pass);
+  }
+
+  // Measures the boxes of the triangles and parts from a position on. These become triangles in the
+  // order.
+  void measure_boxes(std::uint32_t position, std::span<Bounds> boxes, Bounds& all) {
+    const std::span<std::uint32_t> numbers = order_.subspan(position, boxes.size());
+    const TriangleParts::Found parts = parts_.replace(numbers);
+    triangles_.measure(numbers, frame_, boxes, all);
+    for (const auto& [at, box] : parts) boxes[at] = box;
   }
 
   // The stack bounds the depth of these recursions, since a node has two children or more.
@@ -165,7 +175,7 @@ class Measuring {
 
   Bounds measure_leaf(std::uint32_t position, std::uint32_t count) {
     std::vector<Bounds> boxes(count);
-    triangles_.measure(order_.subspan(position, count), frame_, boxes, all_);
+    measure_boxes(position, boxes, all_);
     Bounds box;
     for (const Bounds& b : boxes) box.grow(b);
     return box;
@@ -173,9 +183,10 @@ class Measuring {
 
   const Topology& topology_;
   const TriangleList& triangles_;
+  const TriangleParts& parts_;
   const hierarchy::BoxFrame& frame_;
-  std::uint32_t first_;
-  std::span<const std::uint32_t> order_;
+  std::uint32_t position_;  // of the first leaf's first triangle
+  std::span<std::uint32_t> order_;
   std::uint32_t base_;
   gpu::BvhNode* nodes_;
   std::vector<Task> tasks_;
@@ -189,21 +200,30 @@ std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleLi
                               std::size_t first, const StoredHierarchy& stored,
                               std::uint32_t max_leaf, std::uint32_t max_stack, unsigned threads,
                               std::span<std::uint32_t> order, BvhRoot& root,
-                              const hierarchy::BoxFrame& frame) {
+                              const hierarchy::BoxFrame& frame, std::size_t more_before) {
   if (stored.along != frame.along) return "its boxes lie along another direction";
-  if (stored.triangles != order.size()) return "it is of another number of triangles";
+  if (stored.triangles + stored.count_cuts() != order.size())
+    return "it is of another number of triangles";
+  std::vector<hierarchy::Cut> cuts;
+  if (const std::string fault = hierarchy::decode_cuts(stored.cuts, stored.triangles, cuts);
+      !fault.empty())
+    return fault;
+  const auto positions = static_cast<std::uint32_t>(order.size());
   Topology topology;
-  std::array<std::string, 2> faults;
-  run_parallel(2, threads, [&](std::size_t i) {
+  TriangleParts parts;
+  std::array<std::string, 3> faults;
+  run_parallel(3, threads, [&](std::size_t i) {
     faults[i] =
-        i == 0 ? hierarchy::decode_topology(stored.topology, stored.triangles, max_leaf, max_stack,
-                                            topology)
-               : hierarchy::decode_order(stored.order, static_cast<std::uint32_t>(first), order);
+        i == 0
+            ? hierarchy::decode_topology(stored.topology, positions, max_leaf, max_stack, topology)
+        : i == 1
+            ? hierarchy::decode_order(stored.order, static_cast<std::uint32_t>(first), order, cuts)
+            : parts.measure(cuts, triangles, first, stored.triangles, frame);
   });
   for (const std::string& fault : faults)
     if (!fault.empty()) return fault;
   const std::size_t base = nodes.size();
-  Measuring measuring(topology, triangles, frame, first, order, nodes);
+  Measuring measuring(topology, triangles, parts, frame, first + more_before, order, nodes);
   const Box box = to_box(measuring.measure(threads));
   triangles.release_pages();
   std::string fault;
@@ -216,7 +236,7 @@ std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleLi
     return fault;
   }
   root.node = topology.codes.empty()
-                  ? hierarchy::make_leaf(static_cast<std::uint32_t>(first), stored.triangles)
+                  ? hierarchy::make_leaf(static_cast<std::uint32_t>(first + more_before), positions)
                   : static_cast<std::uint32_t>(base);
   root.stack_need = topology.stack_need;
   root.box = box;

@@ -88,7 +88,7 @@ class EmbreeScene {
         to_object[column][row] = double(instance.to_object[row][column]);
     const glm::dmat4 to_model = glm::inverse(to_object);
     for (std::uint32_t i = 0; i < mesh.triangles; ++i) {
-      const gpu::Triangle t = scene.triangles[scene.triangle_order[mesh.first_triangle + i]];
+      const gpu::Triangle t = scene.triangles[mesh.first_triangle + i];
       for (const glm::vec3& corner : {t.v0, t.v1, t.v2})
         corners.push_back(glm::vec3(to_model * glm::dvec4(corner, 1)));
     }

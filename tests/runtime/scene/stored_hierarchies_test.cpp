@@ -1,6 +1,7 @@
 // Scenes whose files hold their hierarchies, as nightbake writes them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -77,7 +78,11 @@ void expect_alike(const scene::RenderScene& a, const scene::RenderScene& b) {
   }
   EXPECT_EQ(a.dropped_triangles, b.dropped_triangles);
   EXPECT_EQ(a.instances.size(), b.instances.size());
-  EXPECT_EQ(a.nodes.size(), b.nodes.size());
+  for (const scene::RenderScene* scene : {&a, &b}) {
+    std::vector<bool> is_in_leaf(scene->triangles.size());
+    for (const std::uint32_t triangle : scene->triangle_order) is_in_leaf.at(triangle) = true;
+    EXPECT_EQ(std::ranges::count(is_in_leaf, false), 0);
+  }
   EXPECT_EQ(a.bounds.lower, b.bounds.lower);
   EXPECT_EQ(a.bounds.upper, b.bounds.upper);
   std::mt19937 random(4);
@@ -122,6 +127,7 @@ TEST(StoredHierarchies, ChangeNothingThatARayHits) {
     EXPECT_EQ(without.stored_hierarchies, 0u);
     EXPECT_EQ(with.stored_hierarchies, 2u);
     EXPECT_EQ(describe_left_out(with), describe_left_out(without));
+    EXPECT_GT(with.triangle_order.size(), with.triangles.size()) << "walls are cut";
     expect_alike(without, with);
   }
 }
@@ -136,6 +142,7 @@ TEST(StoredHierarchies, ChangeNothingInATownAtAnAngle) {
   EXPECT_EQ(with.stored_hierarchies, 2u);
   EXPECT_NEAR(std::abs(with.boxes_along.y), std::sin(glm::radians(27.0f)), 0.01);
   EXPECT_NEAR(std::abs(without.boxes_along.y), std::sin(glm::radians(27.0f)), 0.01);
+  EXPECT_GT(with.triangle_order.size(), with.triangles.size()) << "walls are cut";
   expect_alike(without, with);
 }
 
@@ -148,6 +155,7 @@ TEST(StoredHierarchies, AreTheSameBytesForAnyNumberOfThreads) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].encoded.topology, many[i].encoded.topology);
     EXPECT_EQ(one[i].encoded.order, many[i].encoded.order);
+    EXPECT_TRUE(std::ranges::equal(one[i].description.cuts, many[i].description.cuts));
     EXPECT_EQ(one[i].description.area_m2, many[i].description.area_m2);
   }
 }
@@ -223,6 +231,9 @@ TEST(StoredHierarchies, OfAnotherSceneAreBuiltAndSaid) {
   expect_said([](StoredHierarchy& h) { h.area_m2 /= 2; }, "larger");
   expect_said([](StoredHierarchy& h) { h.order = h.order.first(h.order.size() - 4); }, "fewer");
   expect_said([](StoredHierarchy& h) { h.topology = h.topology.first(3); }, "within one");
+  expect_said([](StoredHierarchy& h) { h.cuts = h.cuts.first(h.cuts.size() - 8); },
+              "more triangles");
+  expect_said([](StoredHierarchy& h) { h.cuts = {}; }, "more triangles");
 }
 
 // The same scene as a .gltf, to be changed.
