@@ -26,9 +26,11 @@ class TriangleCuts {
 
   TriangleCuts() = default;
   /// `large`: the corners of large triangles. A hierarchy is over `triangles` triangles, and `cuts`
-  /// has room for as many as it may make; no_axis marks those that were not made.
-  TriangleCuts(std::span<const Corners> large, std::uint32_t triangles, std::span<Cut> cuts)
-      : large_(large), triangles_(triangles), cuts_(cuts) {}
+  /// has room for as many as it may make; no_axis marks those that were not made. Boxes of pieces are
+  /// `margin_m` wider than what they hold.
+  TriangleCuts(std::span<const Corners> large, std::uint32_t triangles, std::span<Cut> cuts,
+               float margin_m)
+      : large_(large), triangles_(triangles), cuts_(cuts), margin_m_(margin_m) {}
 
   /// Returns how much of `room` the left half gets.
   template <class Range>
@@ -193,13 +195,14 @@ class TriangleCuts {
   bool cut(TrianglePiece& piece, int axis, float plane_m, std::span<TrianglePiece> pieces,
            Range& range) const {
     if (range.room == 0) return false;
-    const auto halves = cut_box(large_[piece.large()], piece.bounds(), axis, plane_m);
+    const auto halves =
+        cut_box(large_[piece.large()], piece.bounds().widened(-margin_m_), axis, plane_m);
     if (!halves) return false;
     const std::uint32_t number = range.next_cut++, below = triangles_ + 2 * number;
     cuts_[number] = {piece.first() & part_mask, static_cast<std::uint32_t>(axis) & 3u, plane_m};
     const std::uint32_t mark = piece.count();
-    piece = TrianglePiece(halves->first, below, mark);
-    pieces[range.end++] = TrianglePiece(halves->second, below + 1, mark);
+    piece = TrianglePiece(halves->first.widened(margin_m_), below, mark);
+    pieces[range.end++] = TrianglePiece(halves->second.widened(margin_m_), below + 1, mark);
     --range.room;
     return true;
   }
@@ -207,6 +210,7 @@ class TriangleCuts {
   std::span<const Corners> large_;
   std::uint32_t triangles_ = 0;
   std::span<Cut> cuts_;
+  float margin_m_ = 0;
 };
 
 /// Builder asks these questions of pieces of one or two triangles, of which it cuts large ones.

@@ -160,8 +160,7 @@ std::optional<BuiltHierarchy> build(SceneTriangles& triangles, bool casts_shadow
   described.along = frame.along;
   CutPieces pieces = triangles.gather(frame, described);
   if (pieces.pieces.empty()) return std::nullopt;
-  built.encoded =
-      build_with_cuts(std::move(pieces), described.triangles, threads, described.area_m2);
+  built.encoded = build_encoded(std::move(pieces), described.triangles, threads, described.area_m2);
   return built;
 }
 

@@ -1,6 +1,7 @@
 #include "runtime/scene/bvh.h"
 
 #include "formats/error.h"
+#include "formats/hierarchy/cutting_build.h"
 #include "formats/hierarchy/parallel_build.h"
 #include "runtime/scene/quantised_nodes.h"
 #include "runtime/scene/triangle_pieces.h"
@@ -90,6 +91,34 @@ BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangl
   for (const TrianglePiece& piece : pieces)
     for (std::uint32_t i = 0; i < piece.count(); ++i) *at++ = from + piece.first() + i;
   return {root.node, root.stack_need, to_box(box)};
+}
+
+BvhRoot append_cut_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
+                       std::size_t first, std::size_t count, std::uint32_t max_leaf,
+                       std::uint32_t max_stack, unsigned threads, LargeVector<std::uint32_t>& order,
+                       const hierarchy::BoxFrame& frame) {
+  const std::size_t room = hierarchy::find_room(count);
+  check_sizes(order.size() + count + room, BVH_MAX_LEAF, UINT32_MAX);
+  check_sizes(count + room, max_leaf / 2, max_stack);
+  if (count == 0) return {};
+  Bounds bounds;
+  hierarchy::CutPieces pieces;
+  pieces.margin_m = frame.margin_m;
+  pieces.pieces = make_pieces(triangles, first, count, true, frame, threads, bounds, &pieces.large);
+  triangles.release_pages();  // from here on, only the pieces are needed
+  hierarchy::LeafParts parts;
+  const hierarchy::Root root = hierarchy::build_cutting<QuantisedNodes>(
+      std::move(pieces), static_cast<std::uint32_t>(count), max_leaf, max_stack, threads,
+      static_cast<std::uint32_t>(order.size()), nodes, parts);
+  std::vector<std::uint32_t> cut;  // which triangle each cut is of
+  const auto triangle_of = [&](std::uint32_t part) {
+    return part < count ? part : cut[(part - count) / 2];
+  };
+  cut.reserve(parts.cuts.size());
+  for (const hierarchy::Cut& one : parts.cuts) cut.push_back(triangle_of(one.part));
+  for (const std::uint32_t part : parts.order)
+    order.push_back(static_cast<std::uint32_t>(first) + triangle_of(part));
+  return {root.node, root.stack_need, to_box(bounds)};
 }
 
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {

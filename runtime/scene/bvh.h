@@ -47,6 +47,14 @@ BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangl
                    unsigned threads, std::span<std::uint32_t> order,
                    const hierarchy::BoxFrame& frame = {}, std::size_t more_before = 0);
 
+/// As append_bvh, of `count` triangles, with large ones cut as nightbake does
+/// (formats/hierarchy/spatial_split.h). Positions are those that are appended to `order`: each part
+/// is one of its triangle.
+BvhRoot append_cut_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
+                       std::size_t first, std::size_t count, std::uint32_t max_leaf,
+                       std::uint32_t max_stack, unsigned threads, LargeVector<std::uint32_t>& order,
+                       const hierarchy::BoxFrame& frame);
+
 /// Throws Error if a scene can not have as many triangles.
 void check_triangle_count(std::size_t count);
 

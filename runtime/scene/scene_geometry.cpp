@@ -10,65 +10,17 @@
 #include <utility>
 
 #include "formats/finite.h"
+#include "formats/hierarchy/cutting_build.h"
 #include "formats/hierarchy/static_geometry.h"
 #include "runtime/scene/local_origin.h"
+#include "runtime/scene/mesh_blas.h"
 #include "runtime/scene/parts.h"
-#include "runtime/scene/stored_bvh.h"
 #include "runtime/scene/wall_frame.h"
 
 namespace nightcity::scene {
 namespace {
 
-constexpr std::uint32_t triangle_leaf = 4;
-// A ray may defer BVH_STACK entries. This is how the TLAS and the BLASes share them.
-constexpr std::uint32_t tlas_stack = 33;
-// One entry is for the other child of the root above the static scene and the vehicles.
-constexpr std::uint32_t mesh_stack = BVH_STACK - tlas_stack - 1;
-static_assert(triangle_leaf == hierarchy::static_leaf && mesh_stack == hierarchy::static_stack);
 constexpr std::uint32_t body_stack = BVH_STACK - 3 * VEHICLE_LEVELS - 2;
-
-// Consecutive triangles of a scene, from `first` to before `end`.
-struct TriangleRange {
-  std::size_t first, end;
-};
-
-// What a user leaves out is no fault of the file's.
-void say_unused(RenderScene& scene, const std::string& fault) {
-  if (scene.left_out.none())
-    scene.unused_hierarchies.push_back("a stored hierarchy is not used, because " + fault);
-}
-
-// Adds the BLAS over some triangles, and returns its root and box. It is built, unless `stored` is
-// of these triangles.
-std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& range,
-                                       unsigned threads, std::uint32_t stack = mesh_stack,
-                                       const StoredHierarchy* stored = nullptr,
-                                       const hierarchy::BoxFrame& frame = {}) {
-  const std::size_t count = range.end - range.first, position = scene.triangle_order.size();
-  const auto make_room = [&](std::size_t positions) {
-    scene.triangle_order.resize(position + positions);
-    return std::span(scene.triangle_order).subspan(position);
-  };
-  const std::size_t more_before = position - range.first;
-  BvhRoot root;
-  bool is_built = stored == nullptr;
-  if (stored) {
-    const std::string fault = append_stored_bvh(
-        scene.nodes, scene.triangles, range.first, *stored, triangle_leaf, stack, threads,
-        make_room(count + stored->count_cuts()), root, frame, more_before);
-    is_built = !fault.empty();
-    scene.stored_hierarchies += is_built ? 0 : 1;
-    if (is_built) say_unused(scene, fault);
-  }
-  if (is_built)
-    root = append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads,
-                      make_room(count), frame, more_before);
-  if (count > 0)
-    scene.meshes.push_back({root.node, static_cast<std::uint32_t>(range.first),
-                            static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(position),
-                            static_cast<std::uint32_t>(scene.triangle_order.size() - position)});
-  return {root.node, root.box};
-}
 
 gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, bool casts_shadow,
                             const Placement& at) {
@@ -133,7 +85,7 @@ void reserve_memory(RenderScene& out, const Scene& scene, const MeshSource& mesh
   }
   most = std::min<std::size_t>(most, BVH_LEAF_FIRST_MASK);  // no scene may have more
   out.triangles.reserve(most);
-  out.triangle_order.reserve(most);
+  out.triangle_order.reserve(most + hierarchy::find_room(most));
   out.nodes.reserve(out.nodes.size() + most / 2);
   out.instances.reserve(instances);
 }
@@ -231,8 +183,8 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
   const hierarchy::BoxFrame frame = find_frame(out, scene, meshes, stored, placement);
   out.boxes_along = frame.along;
   for (const bool shadow : {true, false}) {
-    const auto [root, box] = add_blas(
-        out, stored.merged[shadow ? 0 : 1], threads, mesh_stack,
+    const auto [root, box] = add_static_blas(
+        out, stored.merged[shadow ? 0 : 1], threads,
         find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]), frame);
     const std::size_t before = out.instances.size();
     place(root, box, {glm::dmat4(1.0)}, shadow);

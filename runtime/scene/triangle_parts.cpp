@@ -14,15 +14,15 @@ std::string TriangleParts::measure(std::span<const hierarchy::Cut> cuts,
   for (const hierarchy::Cut& cut : cuts) {
     const bool is_whole = cut.part < count;
     const std::uint32_t triangle =
-        is_whole ? static_cast<std::uint32_t>(first) + cut.part : parts_[cut.part - count].triangle;
+        is_whole ? static_cast<std::uint32_t>(first) + cut.part : parts_[cut.part - count].first();
     Corners corners;
     triangles.copy_corners(triangle, std::span(&corners, 1));
     corners = frame.turn(corners);
-    const Bounds box = is_whole ? corners.bounds() : parts_[cut.part - count].box;
+    const Bounds box = is_whole ? corners.bounds() : parts_[cut.part - count].bounds();
     const auto halves = hierarchy::cut_box(corners, box, static_cast<int>(cut.axis), cut.plane_m);
     if (!halves) return "a cut misses its part";
-    parts_.push_back({halves->first, triangle});
-    parts_.push_back({halves->second, triangle});
+    parts_.emplace_back(halves->first, triangle, 1);
+    parts_.emplace_back(halves->second, triangle, 1);
   }
   return "";
 }
@@ -32,9 +32,9 @@ TriangleParts::Found TriangleParts::replace(std::span<std::uint32_t> numbers) co
   if (parts_.empty()) return found;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] < end_) continue;
-    const Part& part = parts_[numbers[i] - end_];
-    numbers[i] = part.triangle;
-    found.emplace_back(i, part.box);
+    const hierarchy::TrianglePiece& part = parts_[numbers[i] - end_];
+    numbers[i] = part.first();
+    found.emplace_back(i, part.bounds());
   }
   return found;
 }

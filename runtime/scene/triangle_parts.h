@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "formats/hierarchy/cuts.h"
+#include "formats/hierarchy/triangle_pieces.h"
+#include "formats/large_vector.h"
 #include "runtime/scene/triangle_list.h"
 
 namespace nightcity::scene {
@@ -26,12 +28,8 @@ class TriangleParts {
   Found replace(std::span<std::uint32_t> numbers) const;
 
  private:
-  struct Part {
-    hierarchy::Bounds box;
-    std::uint32_t triangle;
-  };
   std::uint32_t end_ = 0;  // behind the triangles
-  std::vector<Part> parts_;
+  LargeVector<hierarchy::TrianglePiece> parts_;
 };
 
 }  // namespace nightcity::scene

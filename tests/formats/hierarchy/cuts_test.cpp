@@ -159,7 +159,7 @@ CutPieces make_streets(std::uint32_t count, unsigned seed) {
 TEST(CuttingBuild, KeepsBoxesOfLongTrianglesApart) {
   constexpr std::uint32_t count = 20'000;
   double area_m2 = 0, whole_m2 = 0;
-  const Encoded encoded = build_with_cuts(make_streets(count, 1), count, 2, area_m2);
+  const Encoded encoded = build_encoded(make_streets(count, 1), count, 2, area_m2);
   EXPECT_GT(encoded.cuts.size(), count / 20);
   EXPECT_LE(encoded.cuts.size(), find_room(count));
   LargeVector<TrianglePiece> whole = make_streets(count, 1).pieces;
@@ -182,8 +182,8 @@ TEST(CuttingBuild, KeepsBoxesOfLongTrianglesApart) {
 TEST(CuttingBuild, IsTheSameForAnyNumberOfThreads) {
   constexpr std::uint32_t count = 150'000;  // several tasks
   double area_of_one = 0, area_of_many = 0;
-  const Encoded one = build_with_cuts(make_streets(count, 2), count, 1, area_of_one),
-                many = build_with_cuts(make_streets(count, 2), count, 7, area_of_many);
+  const Encoded one = build_encoded(make_streets(count, 2), count, 1, area_of_one),
+                many = build_encoded(make_streets(count, 2), count, 7, area_of_many);
   EXPECT_EQ(one.topology, many.topology);
   EXPECT_EQ(one.order, many.order);
   ASSERT_EQ(one.cuts.size(), many.cuts.size());

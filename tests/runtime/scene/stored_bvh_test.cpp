@@ -272,33 +272,34 @@ TriangleList long_triangles(std::size_t count, unsigned seed) {
   return list;
 }
 
-Built build_cut(const TriangleList& triangles) {
+Built build_cut(const TriangleList& triangles, const hierarchy::BoxFrame& frame = {}) {
   std::vector<hierarchy::Corners> corners(triangles.size());
   triangles.copy_corners(0, corners);
   hierarchy::CutPieces pieces;
   std::vector<hierarchy::TrianglePiece> made;
-  hierarchy::append_pieces(corners, true, 0, {}, made, &pieces.large);
+  hierarchy::append_pieces(corners, true, 0, frame, made, &pieces.large);
   pieces.pieces.assign(made.begin(), made.end());
   Built built;
   StoredHierarchy& stored = built.stored;
   stored.triangles = static_cast<std::uint32_t>(triangles.size());
+  stored.along = frame.along;
   hierarchy::Bounds box;
   for (const hierarchy::Corners& c : corners) box.grow(c.bounds());
   stored.lower = to_box(box).lower;
   stored.upper = to_box(box).upper;
-  built.encoded =
-      hierarchy::build_with_cuts(std::move(pieces), stored.triangles, 2, stored.area_m2);
+  built.encoded = hierarchy::build_encoded(std::move(pieces), stored.triangles, 2, stored.area_m2);
   stored.topology = std::as_bytes(std::span(built.encoded.topology));
   stored.order = std::as_bytes(std::span(built.encoded.order));
   stored.cuts = std::as_bytes(std::span(built.encoded.cuts));
   return built;
 }
 
-Loaded load_cut(const TriangleList& triangles, const StoredHierarchy& stored) {
+Loaded load_cut(const TriangleList& triangles, const StoredHierarchy& stored,
+                const hierarchy::BoxFrame& frame = {}) {
   Loaded loaded;
   loaded.order.resize(triangles.size() + stored.count_cuts());
   loaded.fault = append_stored_bvh(loaded.nodes, triangles, 0, stored, hierarchy::static_leaf,
-                                   hierarchy::static_stack, 2, loaded.order, loaded.root);
+                                   hierarchy::static_stack, 2, loaded.order, loaded.root, frame);
   return loaded;
 }
 
@@ -342,6 +343,41 @@ TEST(StoredBvh, HoldsAllOfTrianglesThatItCuts) {
       const glm::vec3 point(a + u * (glm::dvec3(t.v1) - a) + v * (glm::dvec3(t.v2) - a));
       ASSERT_TRUE(is_reached(loaded, loaded.root.node, i, point)) << i;
     }
+}
+
+// Returns the triangles in the order in which a traversal meets them, with the end of each leaf.
+std::vector<std::uint32_t> order_of_leaves(const Loaded& loaded, std::uint32_t child) {
+  std::vector<std::uint32_t> result;
+  if (child == BVH_EMPTY) return result;
+  if (child & BVH_LEAF) {
+    const auto first = loaded.order.begin() + hierarchy::first_of_leaf(child);
+    result.assign(first, first + hierarchy::size_of_leaf(child));
+    result.push_back(hierarchy::no_child);
+    return result;
+  }
+  for (const std::uint32_t below : loaded.nodes[child].child)
+    for (const std::uint32_t number : order_of_leaves(loaded, below)) result.push_back(number);
+  return result;
+}
+
+// Boxes that are measured from the leaves up may be smaller by what rounding took from a cut.
+TEST(StoredBvh, IsCutAsTheBuilderCuts) {
+  for (const hierarchy::BoxFrame& frame :
+       {hierarchy::BoxFrame{}, hierarchy::BoxFrame{{0.8f, 0.6f}}}) {
+    const TriangleList triangles = long_triangles(100'000, 4);
+    const Built built = build_cut(triangles, frame);
+    const Loaded loaded = load_cut(triangles, built.stored, frame);
+    ASSERT_EQ(loaded.fault, "");
+    LargeVector<std::uint32_t> order;
+    Loaded made;
+    made.root = append_cut_bvh(made.nodes, triangles, 0, triangles.size(), hierarchy::static_leaf,
+                               hierarchy::static_stack, 3, order, frame);
+    made.order.assign(order.begin(), order.end());
+    EXPECT_GT(made.order.size(), triangles.size() + 5000);
+    EXPECT_EQ(loaded.nodes.size(), made.nodes.size());
+    EXPECT_EQ(loaded.root.stack_need, made.root.stack_need);
+    EXPECT_EQ(order_of_leaves(loaded, loaded.root.node), order_of_leaves(made, made.root.node));
+  }
 }
 
 // Whatever cuts a file holds, they are refused or all of each triangle is in leaves.

@@ -78,6 +78,7 @@ void expect_alike(const scene::RenderScene& a, const scene::RenderScene& b) {
   }
   EXPECT_EQ(a.dropped_triangles, b.dropped_triangles);
   EXPECT_EQ(a.instances.size(), b.instances.size());
+  EXPECT_EQ(a.nodes.size(), b.nodes.size());
   for (const scene::RenderScene* scene : {&a, &b}) {
     std::vector<bool> is_in_leaf(scene->triangles.size());
     for (const std::uint32_t triangle : scene->triangle_order) is_in_leaf.at(triangle) = true;

@@ -1,0 +1,41 @@
+// Adds the hierarchies over the triangles of meshes to a scene (BLAS).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "formats/hierarchy/static_geometry.h"
+#include "formats/stored_hierarchy.h"
+#include "runtime/scene/render_scene.h"
+
+namespace nightcity::scene {
+
+constexpr std::uint32_t triangle_leaf = 4;
+// A ray may defer BVH_STACK entries. This is how the TLAS and the BLASes share them.
+constexpr std::uint32_t tlas_stack = 33;
+// One entry is for the other child of the root above the static scene and the vehicles.
+constexpr std::uint32_t mesh_stack = BVH_STACK - tlas_stack - 1;
+static_assert(triangle_leaf == hierarchy::static_leaf && mesh_stack == hierarchy::static_stack);
+
+/// Consecutive triangles of a scene, from `first` to before `end`.
+struct TriangleRange {
+  std::size_t first, end;
+};
+
+using RootAndBox = std::pair<std::uint32_t, Box>;
+
+/// Says why a hierarchy of the file is not used. What a user leaves out is no fault of the file's.
+void say_unused(RenderScene& scene, const std::string& fault);
+
+/// Builds the BLAS over some triangles, and returns its root and box.
+RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
+                    std::uint32_t stack = mesh_stack);
+
+/// Adds the BLAS over some triangles that stand where they are stored, and returns its root and
+/// box. It is built, unless `stored` is of these triangles.
+RootAndBox add_static_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
+                           const StoredHierarchy* stored, const hierarchy::BoxFrame& frame);
+
+}  // namespace nightcity::scene
