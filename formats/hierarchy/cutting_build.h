@@ -27,8 +27,8 @@ struct LeafParts {
   std::vector<Cut> cuts;
 };
 
-/// Returns how many cuts a hierarchy may make: half as many as it has triangles, where numbers of
-/// parts allow that. Room is shared before it is known where it is needed; a third of it is used.
+/// Returns how many cuts a hierarchy may make: a third as many as it has triangles, where numbers of
+/// parts allow that. Room is shared before it is known where it is needed; cities use a third of it.
 std::uint32_t find_room(std::size_t triangles);
 
 /// Numbers what lies in the leaves of a build, which name their first pieces before and their first
