@@ -20,7 +20,6 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/to_lower.h"
-#include "tools/city/find_name.h"
 #include "tools/city/text_encoding.h"
 
 namespace nightcity::city {
@@ -194,6 +193,11 @@ void visit_entries(const Archive& archive,
   }
 }
 
+Document make_document(const std::string& name, bool packed,
+                       const std::function<std::unique_ptr<ByteSource>()>& open) {
+  return {name, packed, [open] { return to_utf8(open()); }, open};
+}
+
 FileContents list_archive(const std::string& path, std::span<const std::string_view> endings) {
   const auto archive = std::make_shared<Archive>(path);
   FileContents contents;
@@ -204,8 +208,8 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
     if (ends_with_any(lower, packed_endings)) contents.packed_entries.push_back(entry);
     if (!ends_with_any(lower, endings)) return;
     const std::string name = path + "/" + entry;
-    contents.documents.push_back(
-        {name, true, [=] { return to_utf8(std::make_unique<ZipSource>(archive, index, name)); }});
+    contents.documents.push_back(make_document(
+        name, true, [=] { return std::make_unique<ZipSource>(archive, index, name); }));
   });
   if (!contents.documents.empty()) return contents;
   const std::string remedy = ": unpack it and name what is inside";
@@ -248,8 +252,8 @@ FileContents list_contents(const std::filesystem::path& file,
   if (mark.empty()) throw Error(path, "is empty");
   if (mark == zip_mark) return list_archive(path, endings);
   if (mark.starts_with("\x1f\x8b"))
-    return {{{path, true, [=] { return to_utf8(std::make_unique<GzipSource>(path)); }}}, {}};
-  return {{{path, false, [=] { return to_utf8(std::make_unique<PlainSource>(path)); }}}, {}};
+    return {{make_document(path, true, [=] { return std::make_unique<GzipSource>(path); })}, {}};
+  return {{make_document(path, false, [=] { return std::make_unique<PlainSource>(path); })}, {}};
 }
 
 std::vector<Document> list_documents(const std::filesystem::path& file,
@@ -273,28 +277,6 @@ std::string read_next(ByteSource& source, std::size_t most) {
 
 std::string read_start(const Document& document, std::size_t most) {
   return read_next(*document.open(), most);
-}
-
-bool mentions(const Document& document, std::string_view text) {
-  constexpr std::size_t first_block = std::size_t{1} << 15;
-  constexpr std::size_t max_block = std::size_t{1} << 19;  // stays in the second cache
-  const auto source = document.open();
-  // Blocks begin at one place, a little behind the beginning of the window: some processors copy a
-  // page slowly to a few bytes behind the beginning of another.
-  const std::size_t begin = std::max(text.size(), std::size_t{64});
-  std::vector<char> window;
-  std::size_t kept = 0;  // bytes before `begin`
-  for (std::size_t block = first_block;; block = std::min(2 * block, max_block)) {
-    window.resize(std::max(window.size(), begin + block));
-    char* const read = window.data() + begin;
-    const std::size_t got = source->read(read, block);
-    if (got == 0) return false;
-    if (find_name({read - kept, kept + got}, text) != std::string_view::npos) return true;
-    if (std::memchr(read, 0, got)) return false;  // no text: its reader says so
-    const std::size_t size = kept + got;
-    kept = std::min(size, text.size() - 1);  // the text may lie across the border
-    std::memmove(read - kept, read + got - kept, kept);
-  }
 }
 
 }  // namespace nightcity::city

@@ -28,6 +28,8 @@ struct Document {
   std::string name;     // the file's path, with the entry's name behind it in an archive
   bool packed = false;  // gzipped, or an archive's entry
   std::function<std::unique_ptr<ByteSource>()> open;
+  /// Opens the same bytes as they are, whatever encoding they look like: those of a raster.
+  std::function<std::unique_ptr<ByteSource>()> open_as_it_is;
 };
 
 /// Returns the document's first bytes, unpacked: `most` of them, or all where there are fewer.

@@ -10,7 +10,7 @@ namespace nightcity::city {
 namespace {
 
 constexpr char32_t replacement = 0xFFFD;
-constexpr std::size_t looked_at_bytes = 32;  // for zeros in every second place
+constexpr std::size_t looked_at_bytes = 512;  // for an encoding that no mark names
 constexpr std::size_t block_bytes = std::size_t{1} << 16;
 
 void append_utf8(char32_t c, std::string& out) {
@@ -143,26 +143,57 @@ std::size_t find_invalid(std::string_view text) {
   return sound;
 }
 
-// Returns whether zeros are every second of the first bytes, from `first` on, and none of the
-// others is a control character: so does text in UTF-16 whose first letters are Latin.
-bool alternates(std::string_view start, std::size_t first) {
-  const std::string_view looked_at = start.substr(0, looked_at_bytes);
-  if (looked_at.size() < looked_at_bytes / 2 || looked_at.size() % 2 != 0) return false;
-  for (std::size_t i = 0; i < looked_at.size(); ++i) {
-    const char c = looked_at[i];
-    const bool is_control = static_cast<std::uint8_t>(c) < ' ';
-    if (i % 2 == first ? c != 0 : is_control && c != '\t' && c != '\r' && c != '\n') return false;
+// What the beginning of a text is where it is read as UTF-16 in one order of bytes.
+struct WideReading {
+  bool is_sound = true;  // no control characters, no halves of pairs alone
+  std::size_t units = 0;
+  std::size_t ascii = 0;  // blanks, separators, digits and Latin letters
+};
+
+WideReading read_as_utf16(std::string_view start, bool big_endian) {
+  WideReading reading;
+  bool is_behind_high = false;
+  for (std::size_t i = 0; i + 1 < start.size(); i += 2) {
+    const auto byte = [&](std::size_t k) { return static_cast<std::uint8_t>(start[k]); };
+    const unsigned unit = big_endian ? byte(i) * 256u + byte(i + 1) : byte(i + 1) * 256u + byte(i);
+    const bool is_blank = unit == '\t' || unit == '\n' || unit == '\r';
+    const bool is_control = (unit < ' ' && !is_blank) || (unit >= 0x7F && unit < 0xA0);
+    const bool is_high = unit >= 0xD800 && unit < 0xDC00, is_low = unit >= 0xDC00 && unit < 0xE000;
+    if (is_control || unit >= 0xFFFE || is_low != is_behind_high) reading.is_sound = false;
+    is_behind_high = is_high;
+    reading.ascii += is_blank || (unit >= ' ' && unit < 0x7F) ? 1 : 0;
+    ++reading.units;
   }
-  return true;
+  return reading;
+}
+
+enum class Utf16 : std::uint8_t { none, little, big };
+
+// Text in any script has blanks, commas, ends of lines or digits, which are letters of rare scripts
+// where the order of bytes is the other one.
+Utf16 find_unmarked_utf16(std::string_view start) {
+  constexpr std::size_t least_units = 8, least_ascii = 2, most_between = 32;
+  start = start.substr(0, looked_at_bytes);
+  const WideReading little = read_as_utf16(start, false), big = read_as_utf16(start, true);
+  const auto is_it = [&](const WideReading& one, const WideReading& other) {
+    return one.is_sound && one.units >= least_units && one.ascii >= least_ascii &&
+           one.ascii * most_between >= one.units && one.ascii > 2 * other.ascii;
+  };
+  if (is_it(little, big)) return Utf16::little;
+  return is_it(big, little) ? Utf16::big : Utf16::none;
+}
+
+Utf16 find_utf16(std::string_view start) {
+  using namespace std::string_view_literals;
+  if (start.starts_with("\xff\xfe"sv) || start.starts_with("<\0"sv)) return Utf16::little;
+  if (start.starts_with("\xfe\xff"sv) || start.starts_with("\0<"sv)) return Utf16::big;
+  return find_unmarked_utf16(start);
 }
 
 }  // namespace
 
 bool begins_as_utf16(std::string_view start) {
-  using namespace std::string_view_literals;
-  return start.starts_with("\xff\xfe"sv) || start.starts_with("\xfe\xff"sv) ||
-         start.starts_with("<\0"sv) || start.starts_with("\0<"sv) || alternates(start, 0) ||
-         alternates(start, 1);
+  return find_utf16(start) != Utf16::none;
 }
 
 bool begins_as_utf32(std::string_view start) {
@@ -174,7 +205,7 @@ bool begins_as_utf32(std::string_view start) {
 std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source) {
   std::string start = read_next(*source, looked_at_bytes);
   const bool utf32 = begins_as_utf32(start), utf16 = !utf32 && begins_as_utf16(start);
-  const bool big_endian = start.starts_with('\xfe') || start.starts_with('\0');
+  const bool big_endian = utf32 ? start.starts_with('\0') : find_utf16(start) == Utf16::big;
   auto whole = std::make_unique<ResumedSource>(std::move(start), std::move(source));
   if (!utf16 && !utf32) return whole;
   return std::make_unique<WideSource>(std::move(whole), utf32 ? UnitBytes::four : UnitBytes::two,

@@ -10,7 +10,8 @@
 namespace nightcity::city {
 
 /// Returns whether a document's first bytes are UTF-16: a byte order mark, '<' beside a zero byte
-/// (XML 1.0, appendix F), or 16 bytes or more with zeros in every second place of Latin text.
+/// (XML 1.0, appendix F), or in 16 bytes or more characters of any script with blanks, separators,
+/// digits or Latin letters among them, in one order of bytes alone.
 bool begins_as_utf16(std::string_view start);
 /// The same for UTF-32, whose byte order mark begins with that of UTF-16.
 bool begins_as_utf32(std::string_view start);

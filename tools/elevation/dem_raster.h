@@ -6,26 +6,26 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "tools/terrain/elevation_model.h"
+#include "tools/terrain/open_models.h"
 
 namespace nightcity::elevation {
 
 class DemRaster {
  public:
-  /// Opens the raster's first band, metres. Throws Error: missing, no raster, no CRS, no place on
-  /// the Earth, or blocks of more than `max_block_mpx` million pixels. `crs_without`: the CRS of a
-  /// raster that names none.
+  /// Opens the first bands of the rasters in a file, an archive or a folder, metres. Throws Error as
+  /// open_elevation_models does, and where one has no CRS.
   explicit DemRaster(const std::filesystem::path& file,
-                     int max_block_mpx = terrain::default_max_block_mpx,
-                     const std::string& crs_without = {});
+                     const terrain::ElevationOptions& options = {});
 
-  /// Returns the height at WGS 84 degrees, bilinear between the centres of cells; none outside the
-  /// raster and beside a cell without data. Throws Error where the raster cannot be read.
+  /// Returns the height at WGS 84 degrees, bilinear between the centres of cells, by the finest
+  /// raster that has one; none outside of all and beside a cell without data. Throws Error where a
+  /// raster cannot be read.
   std::optional<double> height_at(const glm::dvec2& lon_lat) const;
 
  private:
-  terrain::ElevationModel model_;
+  std::vector<terrain::ElevationModel> models_;
 };
 
 }  // namespace nightcity::elevation

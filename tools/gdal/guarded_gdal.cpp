@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <mutex>
 
+#include "tools/gdal/scratch_files.h"
+
 namespace nightcity::gdal {
 namespace {
 
@@ -35,6 +37,7 @@ void register_all() {
   }
   for (const char* prefix : {"/vsicurl?", "/vsiwebhdfs/", "/vsihdfs/"})
     VSIFileManager::InstallHandler(prefix, new NoNetwork);
+  install_scratch_files();
 }
 
 CPLHTTPResult* refuse_fetch(const char*, CSLConstList, GDALProgressFunc, void*,

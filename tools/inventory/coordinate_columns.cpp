@@ -8,6 +8,7 @@
 
 #include "formats/to_lower.h"
 #include "tools/city/text_encoding.h"
+#include "tools/inventory/vector_file.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -80,7 +81,7 @@ bool are_qualifiers(string_view text) {
 }
 
 // Returns a column's name in lower case without blanks and signs, nor what stands in brackets.
-std::string simplify(const char* name) {
+std::string simplify_heading(const std::string& name) {
   constexpr std::size_t longest = 60;
   const std::string whole = to_lower(city::decode_text(name));
   std::string simple;
@@ -109,12 +110,7 @@ CoordinateColumns find_qualified(const std::vector<std::string>& names, const Pa
   return {};
 }
 
-}  // namespace
-
-CoordinateColumns find_coordinate_columns(OGRFeatureDefn& columns) {
-  std::vector<std::string> names;
-  for (int i = 0; i < columns.GetFieldCount(); ++i)
-    names.push_back(simplify(columns.GetFieldDefn(i)->GetNameRef()));
+CoordinateColumns find_among(const std::vector<std::string>& names) {
   for (const Pair& pair : pairs)
     if (const CoordinateColumns found{find(names, pair.x), find(names, pair.y)};
         found.x >= 0 && found.y >= 0)
@@ -122,6 +118,42 @@ CoordinateColumns find_coordinate_columns(OGRFeatureDefn& columns) {
   for (const Pair& pair : pairs)
     if (const CoordinateColumns found = find_qualified(names, pair); found.y >= 0) return found;
   return {};
+}
+
+bool is_name_of_geometries(const std::string& name) {
+  const std::string lower = to_lower(name);
+  std::string_view rest = geometry_names;
+  while (!rest.empty()) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    if (lower == rest.substr(0, comma)) return true;
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
+CoordinateColumns find_coordinate_columns(OGRFeatureDefn& columns) {
+  std::vector<std::string> names;
+  for (int i = 0; i < columns.GetFieldCount(); ++i)
+    names.push_back(simplify_heading(columns.GetFieldDefn(i)->GetNameRef()));
+  return find_among(names);
+}
+
+bool is_name_of_points(std::string_view name) {
+  // OpenDataSoft's, Socrata's and ArcGIS Hub's, without blanks and underscores.
+  constexpr std::array<std::string_view, 7> names{"geopoint2d", "geopoint",    "latlon",  "latlng",
+                                                  "latlong",    "coordinates", "location"};
+  std::string simple = to_lower(name);
+  std::erase_if(simple, [](char c) { return c == ' ' || c == '_'; });
+  return std::find(names.begin(), names.end(), simple) != names.end();
+}
+
+bool have_names_of_places(const std::vector<std::string>& names) {
+  std::vector<std::string> simple;
+  for (const std::string& name : names) simple.push_back(simplify_heading(name));
+  return find_among(simple).x >= 0 || std::any_of(names.begin(), names.end(), is_name_of_points) ||
+         std::any_of(names.begin(), names.end(), is_name_of_geometries);
 }
 
 }  // namespace nightcity::inventory

@@ -3,6 +3,10 @@
 
 #include <ogrsf_frmts.h>
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace nightcity::inventory {
 
 struct CoordinateColumns {
@@ -14,5 +18,13 @@ struct CoordinateColumns {
 /// ("GPS_LON", "coord. x", "x (WGS84)", "decimalLongitude"). A pair alone counts before one with
 /// such words, and degrees before grids.
 CoordinateColumns find_coordinate_columns(OGRFeatureDefn& columns);
+
+/// Returns whether a column of this name holds latitude and longitude in one text ("48.85, 2.35"), as
+/// portals name it.
+bool is_name_of_points(std::string_view name);
+
+/// Returns whether some of these names are those of columns with places: one pair's, a whole
+/// geometry's, or that of points in one text.
+bool have_names_of_places(const std::vector<std::string>& names);
 
 }  // namespace nightcity::inventory

@@ -8,6 +8,7 @@
 #include "formats/error.h"
 #include "tools/city/text_encoding.h"
 #include "tools/cityjson/json.h"
+#include "tools/inventory/json_columns.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -48,6 +49,17 @@ JsonRows::JsonRows(std::string text, std::string file)
     if (!in_lines_) why_none_ = std::string("it is broken JSON: ") + simdjson::error_message(error);
     return;
   }
+  take_root(root);
+  if (why_none_.empty() || !has_wrapper_) return;
+  std::string turned = turn_into_rows(whole_, file_);
+  if (turned.empty()) return;
+  text_ = std::move(turned);
+  why_none_.clear();
+  if (parser_.parse(text_).get(root) == simdjson::SUCCESS) take_root(root);
+  has_wrapper_ = false;  // what stood beside the rows is gone
+}
+
+void JsonRows::take_root(const element& root) {
   array list;
   object whole;
   if (root.get(list) == simdjson::SUCCESS)

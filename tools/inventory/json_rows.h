@@ -38,6 +38,7 @@ class JsonRows {
 
  private:
   bool begins_in_lines() const;
+  void take_root(const simdjson::dom::element& root);
   void take_list(const simdjson::dom::array& rows);
   using Lists = std::vector<std::pair<std::string, simdjson::dom::array>>;
   void find_in_object(const simdjson::dom::object& whole);

@@ -55,6 +55,8 @@ class Reader {
     CPLErrorReset();
     result_.report.file = file_.file.filename().string();
     result_.report.format = table_.format;
+    result_.report.titles = table_.titles;
+    result_.report.encoding = table_.encoding;
     result_.report.doubt = crs_.doubt();
     layer_.ResetReading();
     for (OGRFeatureUniquePtr row; (row = OGRFeatureUniquePtr(layer_.GetNextFeature()));) {

@@ -49,28 +49,34 @@ std::pair<int, std::string_view> split_srid(std::string_view text) {
   return {srid, city::trim(rest.substr(1))};
 }
 
-// Returns the number of the CRS in PostGIS' binary geometries, of which GDAL reads the places alone:
-// in hexadecimal digits the order of bytes, the kind with a flag for such a number, the number. 0
-// where there is none.
-int find_binary_srid(std::string_view text) {
+// The head of a geometry in binary, written in hexadecimal digits: the order of bytes, the kind, and
+// in PostGIS' form the number of the CRS, of which GDAL reads the places alone.
+struct BinaryHead {
+  std::uint32_t kind = 0;  // 1: a point; 0: the text is no such
+  int srid = 0;            // 0: it names none
+};
+
+BinaryHead read_binary_head(std::string_view text) {
   constexpr std::uint32_t has_srid = 0x20000000;
   constexpr std::size_t digits = 18;
   text = city::trim(text);
   std::array<std::uint32_t, digits / 2> bytes{};
-  if (text.size() < digits) return 0;
+  if (text.size() < digits) return {};
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const char* const first = text.data() + 2 * i;
     const auto [end, error] = std::from_chars(first, first + 2, bytes[i], 16);
-    if (error != std::errc() || end != first + 2) return 0;
+    if (error != std::errc() || end != first + 2) return {};
   }
-  if (bytes[0] > 1) return 0;
+  if (bytes[0] > 1) return {};
   const auto number = [&](std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value |= bytes[at + i] << (8 * (bytes[0] == 1 ? i : 3 - i));
     return value;
   };
-  constexpr std::uint32_t most = 1'000'000;
-  return (number(1) & has_srid) != 0 && number(5) <= most ? static_cast<int>(number(5)) : 0;
+  constexpr std::uint32_t most = 1'000'000, flags = 0xF0000000, of_iso = 1000;
+  const std::uint32_t kind = (number(1) & ~flags) % of_iso;  // without marks of Z and M
+  const bool names_crs = (number(1) & has_srid) != 0 && number(5) <= most;
+  return {kind, names_crs ? static_cast<int>(number(5)) : 0};
 }
 
 // Returns a coordinate of a grid, whose digits may stand in groups.
@@ -105,6 +111,19 @@ bool is_wkt_of_points(std::string_view text) {
   return false;
 }
 
+bool is_geojson_of_points(std::string_view text) {
+  return city::trim(text).starts_with('{') && text.find("\"coordinates\"") != text.npos &&
+         (text.find("\"Point\"") != text.npos || text.find("\"MultiPoint\"") != text.npos);
+}
+
+bool is_geometry_of_points(std::string_view text) {
+  constexpr std::uint32_t point = 1, multipoint = 4;
+  constexpr std::size_t least_digits = 42;  // of a point in a plane
+  const std::uint32_t kind = text.size() < least_digits ? 0 : read_binary_head(text).kind;
+  return is_wkt_of_points(text) || is_geojson_of_points(text) || kind == point ||
+         kind == multipoint;
+}
+
 }  // namespace
 
 TextPlaces::TextPlaces(OGRLayer& layer, const InventoryFile& inventory)
@@ -125,12 +144,13 @@ TextPlaces::TextPlaces(OGRLayer& layer, const InventoryFile& inventory)
 
 void TextPlaces::look_at(const OGRFeature& row) {
   for (int i = 0; geometry_ < 0 && i < row.GetFieldCount(); ++i)
-    if (row.GetFieldDefnRef(i)->GetType() == OFTString && is_wkt_of_points(text_of(row, i)))
+    if (row.GetFieldDefnRef(i)->GetType() == OFTString && is_geometry_of_points(text_of(row, i)))
       geometry_ = i;
   if (geometry_ >= 0 && crs_.empty()) {
     const std::string text = text_of(row, geometry_);
-    const int srid = split_srid(text).first, binary = find_binary_srid(text);
+    const int srid = split_srid(text).first, binary = read_binary_head(text).srid;
     if (srid != 0 || binary != 0) crs_ = "EPSG:" + std::to_string(srid != 0 ? srid : binary);
+    if (is_geojson_of_points(text)) crs_ = "OGC:CRS84";  // RFC 7946
   }
   if (!has_columns()) return;
   for (const int column : {x_, y_}) {

@@ -16,6 +16,9 @@
 #include "tools/city/foreign_format.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/coordinate_columns.h"
+#include "tools/inventory/csv_encoding.h"
+#include "tools/inventory/csv_head.h"
 #include "tools/inventory/geojson_crs.h"
 #include "tools/inventory/json_table.h"
 #include "tools/inventory/packed_table.h"
@@ -78,9 +81,20 @@ bool is_named_as_csv(const std::string& path) {
   return name.ends_with(".csv") || name.ends_with(".tsv");
 }
 
+// Puts a CSV into a form that GDAL reads.
+void prepare_csv(const InventoryFile& inventory, std::string& bytes, VectorFile& out) {
+  out.encoding = find_csv_encoding(bytes, inventory);
+  if (!out.encoding.empty()) bytes = decode_csv(bytes, out.encoding, inventory.file.string());
+  const CsvHead head = find_csv_head(bytes, inventory);
+  out.titles = head.above;
+  if (head.above > 0) bytes.erase(0, head.begin);
+  straighten_csv(bytes);
+}
+
 // Puts a table that GDAL would not read as it lies on the disk into memory, and sets the path to
 // it.
-void put_into_memory(const std::filesystem::path& file, VectorFile& out) {
+void put_into_memory(const InventoryFile& inventory, VectorFile& out) {
+  const std::filesystem::path& file = inventory.file;
   // The whole path, which no prefix of GDAL's own file systems can be.
   out.path = std::filesystem::absolute(file).string();
   std::string start = read_start(out.path);
@@ -88,15 +102,19 @@ void put_into_memory(const std::filesystem::path& file, VectorFile& out) {
   std::vector<MemoryFile> files = unpack_table(file);
   if (files.empty()) {
     const bool is_wide = city::begins_as_utf16(start) || city::begins_as_utf32(start);
-    if (!is_wide && !(is_named_as_csv(out.path) && is_odd_csv(start))) return;
+    const bool is_csv = is_named_as_csv(out.path);
+    const auto has_odd_head = [&] {
+      return find_csv_head(start, inventory).above > 0 ||
+             !find_csv_encoding(start, inventory).empty();
+    };
+    if (!is_wide && !(is_csv && (is_odd_csv(start) || has_odd_head()))) return;
     const std::array<std::string_view, 1> endings{""};
     files.push_back(
         {file.filename().string(),
          read_whole(city::list_documents(file, endings).front(),
-                    "save it in UTF-8, with commas and without blank lines or \"sep=\" before "
-                    "its headings")});
+                    "save it in UTF-8, with commas and its headings in the first line")});
   }
-  if (is_named_as_csv(files.front().name)) straighten_csv(files.front().bytes);
+  if (is_named_as_csv(files.front().name)) prepare_csv(inventory, files.front().bytes, out);
   for (std::size_t i = files.size(); i-- > 0;) {
     out.path = out.memory.add(files[i].name, files[i].bytes);
     files.pop_back();
@@ -207,7 +225,7 @@ VectorFile open_vector_file(const InventoryFile& inventory) {
   // One object of GeoJSON may take so many MB: a lamp needs a kilobyte.
   CPLSetThreadLocalConfigOption("OGR_GEOJSON_MAX_OBJ_SIZE", "16");
   VectorFile out;
-  put_into_memory(inventory.file, out);
+  put_into_memory(inventory, out);
   CPLStringList options;
   if (is_named_as_csv(out.path)) options = find_columns_of_places(out.path, inventory);
   const std::string start = read_start(out.path);
@@ -244,16 +262,10 @@ OGRLayer& find_layer(GDALDataset& dataset, const InventoryFile& inventory) {
 }
 
 int find_point_column(OGRLayer& layer) {
-  // OpenDataSoft's, Socrata's and ArcGIS Hub's, without blanks and underscores.
-  constexpr std::array<std::string_view, 7> names{"geopoint2d", "geopoint",    "latlon",  "latlng",
-                                                  "latlong",    "coordinates", "location"};
   if (layer.GetGeomType() != wkbNone) return -1;
   OGRFeatureDefn& columns = *layer.GetLayerDefn();
-  for (int i = 0; i < columns.GetFieldCount(); ++i) {
-    std::string name = to_lower(columns.GetFieldDefn(i)->GetNameRef());
-    std::erase_if(name, [](char c) { return c == ' ' || c == '_'; });
-    if (std::find(names.begin(), names.end(), name) != names.end()) return i;
-  }
+  for (int i = 0; i < columns.GetFieldCount(); ++i)
+    if (is_name_of_points(columns.GetFieldDefn(i)->GetNameRef())) return i;
   return -1;
 }
 

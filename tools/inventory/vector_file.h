@@ -20,13 +20,15 @@ struct VectorFile {
   std::string path;        // as GDAL takes it
   std::string format;      // for reports: "GeoJSON"
   std::string crs;         // that its form says and GDAL does not know; "": none
+  std::string encoding;    // that no mark names and its headings tell; "": UTF-8 or Windows-1252
+  std::size_t titles = 0;  // lines of a CSV above its headings
   std::string incomplete;  // what the server left out; "": its rows say nothing of that
 };
 
 /// Opens the file. GDAL has drivers that are programs in all but name (VRT, WFS, databases), so
 /// only those whose file is the table itself may open it. One in a .zip or .gz is unpacked into
-/// memory, and there go texts that GDAL misreads (UTF-16, rows in JSON that is no GeoJSON), in a
-/// form that it reads. Throws Error: missing, no regular file, of no such format, broken.
+/// memory, and there go texts that GDAL misreads (UTF-16, a CSV below titles, rows in JSON that is no
+/// GeoJSON), in a form that it reads. Throws Error: missing, no regular file, of no such format, broken.
 VectorFile open_vector_file(const InventoryFile& inventory);
 
 /// Returns the layer that the inventory names or the only one. Throws Error, with the names of the

@@ -58,10 +58,12 @@ Outcome elevate(const ElevateArguments& arguments) {
   bake::City city(options.city);
   elevation::ElevationSources sources;
   std::optional<elevation::DemRaster> dem;
+  const bake::GroundOptions& ground = options.city.ground;
+  const std::string& crs = arguments.dem_crs.empty() ? ground.elevation_crs : arguments.dem_crs;
   if (!arguments.dem.empty())
     sources.dem = &dem.emplace(
-        arguments.dem, options.city.ground.max_dem_block_mpx,
-        arguments.dem_crs.empty() ? options.city.ground.elevation_crs : arguments.dem_crs);
+        arguments.dem,
+        terrain::ElevationOptions{ground.max_dem_block_mpx, ground.max_dem_unpacked_mb, crs});
   ShownProgress progress;
   if (city.has_model()) {
     city.require_lon_lat("lamps have no place in it");
@@ -146,7 +148,8 @@ void add_elevate_command(CLI::App& app) {
   program::add_output_option(*command, arguments->out,
                              "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");
   command->add_option("--dem", arguments->dem,
-                      "Raster of heights (GeoTIFF, ...) for lamps outside the model");
+                      "Raster of heights (GeoTIFF, ...) for lamps outside the model, or a .gz, "
+                      ".zip or folder of such");
   command->add_option("--dem-crs", arguments->dem_crs,
                       "CRS of that raster where it names none, as tables of x y z do "
                       "(EPSG:25832); without it that of a .prj beside it, or [terrain] dem_crs");

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "tools/survey/choose_place.h"
-#include "tools/terrain/elevation_model.h"
+#include "tools/terrain/open_models.h"
 
 namespace nightcity::survey {
 namespace {
@@ -109,14 +109,18 @@ class Planner {
 
   static bool lies_at(const SurveyedFile& file, const Box& box) {
     if (file.use != Use::elevation) return box.is_near(file.box, overlap_degrees);
-    const terrain::ElevationModel model(file.path);
     const glm::dvec2 size = box.greatest - box.least;
     std::vector<glm::dvec2> places;
     for (const double x : {0.1, 0.5, 0.9})
       for (const double y : {0.1, 0.5, 0.9}) places.push_back(box.least + size * glm::dvec2(x, y));
     std::vector<double> heights(places.size());
-    model.sample(places, heights);
-    return std::any_of(heights.begin(), heights.end(), [](double h) { return std::isfinite(h); });
+    const auto knows_one = [&](const terrain::ElevationModel& model) {
+      model.sample(places, heights);
+      return std::any_of(heights.begin(), heights.end(), [](double h) { return std::isfinite(h); });
+    };
+    const std::vector<terrain::ElevationModel> models =
+        terrain::open_elevation_models({file.path}, {});
+    return std::any_of(models.begin(), models.end(), knows_one);
   }
 
   void take_inventories() {

@@ -20,7 +20,8 @@
 #include "tools/inventory/read_inventory.h"
 #include "tools/lights/luminaire.h"
 #include "tools/osm/read_osm.h"
-#include "tools/terrain/elevation_model.h"
+#include "tools/terrain/open_models.h"
+#include "tools/terrain/packed_rasters.h"
 
 namespace nightcity::survey {
 namespace {
@@ -116,12 +117,17 @@ void look_at_table(SurveyedFile& file) {
 }
 
 void look_at_raster(SurveyedFile& file) {
-  const terrain::ElevationModel model(file.path);
+  const std::vector<terrain::ElevationModel> models =
+      terrain::open_elevation_models({file.path}, {});
+  const auto has_crs = [](const terrain::ElevationModel& model) { return model.has_crs(); };
   file.use = Use::elevation;
-  file.has_crs = model.has_crs();
-  file.what = fmt::format("raster of heights, one every {:.3g} m{}", model.resolution_m(),
-                          file.has_crs ? "" : ", names no CRS: [terrain] dem_crs, else the city's");
-  if (!model.assumption().empty()) file.what += ", " + model.assumption();
+  file.has_crs = std::all_of(models.begin(), models.end(), has_crs);
+  file.what = models.size() == 1 ? "raster of heights"
+                                 : fmt::format("{} rasters of heights", models.size());
+  file.what +=
+      fmt::format(", one every {:.3g} m{}", models.front().resolution_m(),
+                  file.has_crs ? "" : ", names no CRS: [terrain] dem_crs, else the city's");
+  if (!models.front().assumption().empty()) file.what += ", " + models.front().assumption();
 }
 
 void look_at_luminaire(SurveyedFile& file, const std::string& format) {
@@ -142,6 +148,14 @@ void look_at_format(SurveyedFile& file) {
     case inputs::FileKind::scene:
     case inputs::FileKind::lights:
       file.what = std::string(format.name) + ": a finished scene, not what one is made from";
+  }
+}
+
+bool is_archive_of_rasters(const fs::path& path) {
+  try {
+    return terrain::holds_packed_rasters(path);
+  } catch (const Error&) {
+    return false;  // broken, as the attempts to read it say
   }
 }
 
@@ -168,6 +182,12 @@ SurveyedFile look_at(const fs::path& path) {
     return file;
   }
   if (attempt(look_at_format)) return file;
+  // An archive of an elevation model may hold a table of its tiles, too.
+  if (is_archive_of_rasters(path)) {
+    const std::string as_other = std::exchange(why, {});
+    if (attempt(look_at_raster)) return file;
+    if (why.empty()) why = as_other;
+  }
   if (inventory::is_named_as_table(path)) {
     const std::string as_other = std::exchange(why, {});
     if (attempt(look_at_table)) return file;

@@ -5,23 +5,18 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <glm/common.hpp>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "formats/error.h"
 #include "formats/input_file.h"
-#include "formats/packed_file.h"
-#include "tools/city/foreign_format.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/fill_value.h"
 #include "tools/terrain/height_unit.h"
+#include "tools/terrain/raster_checks.h"
 #include "tools/terrain/raster_crs.h"
 #include "tools/terrain/raster_formats.h"
 #include "tools/terrain/raster_transform.h"
@@ -31,62 +26,11 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// Colours are no heights, though the numbers of a picture can be read as such.
-void refuse_picture(GDALDataset& dataset, const std::string& name) {
-  const auto holds = [&](GDALColorInterp colour) {
-    for (int i = 1; i <= dataset.GetRasterCount(); ++i)
-      if (dataset.GetRasterBand(i)->GetColorInterpretation() == colour) return true;
-    return false;
-  };
-  if (holds(GCI_PaletteIndex) ||
-      (holds(GCI_RedBand) && holds(GCI_GreenBand) && holds(GCI_BlueBand)))
-    throw Error(name,
-                "is a picture in colours, no raster of heights: fetch the elevation model itself, "
-                "whose only band holds heights");
-}
-
-// GDAL makes one mask of no-data values and mask bands (its RFC 15), and of alpha bands in bytes;
-// beside heights these are often floats.
-std::vector<GDALRasterBand*> find_masks(GDALDataset& dataset, GDALRasterBand& heights) {
-  std::vector<GDALRasterBand*> masks;
-  if ((heights.GetMaskFlags() & GMF_ALL_VALID) == 0) masks.push_back(heights.GetMaskBand());
-  for (int i = 2; i <= dataset.GetRasterCount(); ++i)
-    if (dataset.GetRasterBand(i)->GetColorInterpretation() == GCI_AlphaBand)
-      masks.push_back(dataset.GetRasterBand(i));
-  return masks;
-}
-
-void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& name) {
-  int width = 0, height = 0;
-  band.GetBlockSize(&width, &height);
-  if (std::int64_t{width} * height > std::int64_t{max_mpx} * 1'000'000)
-    throw Error(name, "comes in blocks of " + std::to_string(width) + " x " +
-                          std::to_string(height) +
-                          " pixels: write it in tiles (gdal_translate -co TILED=YES), or raise "
-                          "[terrain] max_dem_block_mpx in a recipe");
-}
-
-// Returns what GDAL said or, where it knows nothing of the file, what that is.
-std::string explain_unread(const std::filesystem::path& file) {
-  std::array<char, 4096> bytes{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes.data(), bytes.size());
-  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (start.empty()) return "it is empty";
-  if (start.starts_with("\x1f\x8b")) return "it is packed by gzip: unpack it first (gunzip)";
-  if (start.starts_with("PK\x03\x04")) return "it is a zip archive: unpack it first";
-  if (const std::string_view packed = describe_packed(start); !packed.empty())
-    return "it " + std::string(packed);
-  if (const std::string said = CPLGetLastErrorMsg(); !said.empty()) return said;
-  if (const std::string what = city::name_foreign(start, ""); !what.empty())
-    return "it " + what + "; a raster of heights is a GeoTIFF, say";
-  return "it is in none of the formats of rasters that are read (GeoTIFF, ...)";
-}
-
 }  // namespace
 
 struct ElevationModel::State {
   std::string name;
+  std::shared_ptr<const gdal::ScratchFiles> unpacked;  // which the dataset goes before
   GDALDatasetUniquePtr dataset;
   GDALRasterBand* band = nullptr;
   double to_pixel[6] = {};
@@ -131,25 +75,41 @@ glm::dvec2 ElevationModel::State::find_pixel(const glm::dvec2& place) const {
   return pixel;
 }
 
+namespace {
+
+RasterFile to_raster_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::string name = file.string();
+  if (!std::filesystem::exists(file, ignored)) throw Error(name, "does not exist");
+  if (std::filesystem::is_directory(file, ignored))
+    throw Error(name, "is a folder: name the rasters in it");
+  refuse_special_file(file);
+  return {name, name, nullptr};
+}
+
+}  // namespace
+
 ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_mpx,
+                               const std::string& crs_without)
+    : ElevationModel(to_raster_file(file), max_block_mpx, crs_without) {}
+
+ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
                                const std::string& crs_without)
     : state_(std::make_unique<State>()) {
   gdal::register_drivers();
   const gdal::Guard guard;
   State& s = *state_;
-  s.name = file.string();
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) throw Error(s.name, "does not exist");
-  if (std::filesystem::is_directory(file, ignored))
-    throw Error(s.name, "is a folder: name the rasters in it");
-  refuse_special_file(file);
-  if (const char* format = find_refused_format(s.name))
+  s.name = file.name;
+  s.unpacked = file.unpacked;
+  const std::string& path = file.path;
+  if (const char* format = find_refused_format(path))
     throw Error(s.name, std::string("is of the raster format ") + format +
                             ", which is not read: it may lead to other files or to the network");
+  CPLErrorReset();
   s.dataset.reset(
-      GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, list_allowed_drivers()));
+      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, list_allowed_drivers()));
   if (!s.dataset || s.dataset->GetRasterCount() < 1)
-    throw Error(s.name, "is no raster of heights: " + explain_unread(file));
+    throw NoRaster(s.name, "is no raster of heights: " + explain_unread_raster(path));
   refuse_picture(*s.dataset, s.name);
   s.band = s.dataset->GetRasterBand(1);
   s.has_text_rows = has_text_rows(*s.dataset);
@@ -165,14 +125,14 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
   if (const double value = s.band->GetScale(&said); said && value != 0) s.scale = value;
   if (const double value = s.band->GetOffset(&said); said) s.offset = value;
 
-  const auto found = find_raster_crs(*s.dataset, file, crs_without);
+  const auto found = find_raster_crs(*s.dataset, path, s.name, crs_without);
   const OGRSpatialReference* const crs = found ? &*found : nullptr;
   s.unit = find_height_unit(*s.band, crs, s.name);
   if (s.band->GetRasterDataType() == GDT_Byte && s.scale == 1)
-    s.assumption = "heights of " + file.filename().string() +
+    s.assumption = "heights of " + std::filesystem::path(s.name).filename().string() +
                    " taken as metres, although they are bytes (0 to 255), as a shaded relief has";
   if (assumes_metres(*s.band, crs))
-    s.assumption = "heights of " + file.filename().string() +
+    s.assumption = "heights of " + std::filesystem::path(s.name).filename().string() +
                    " taken as metres, of which its CRS, which counts feet, says nothing "
                    "(gdal_edit.py -units ft says that they are feet)";
   if (counts_downward(crs)) s.unit = -s.unit;
@@ -196,6 +156,10 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
 ElevationModel::~ElevationModel() = default;
 ElevationModel::ElevationModel(ElevationModel&&) noexcept = default;
 ElevationModel& ElevationModel::operator=(ElevationModel&&) noexcept = default;
+
+const std::string& ElevationModel::name() const {
+  return state_->name;
+}
 
 bool ElevationModel::has_crs() const {
   return state_->transformation != nullptr;

@@ -7,10 +7,28 @@
 #include <span>
 #include <string>
 
+#include "formats/error.h"
+
+namespace nightcity::gdal {
+class ScratchFiles;
+}
+
 namespace nightcity::terrain {
 
 /// Millions of pixels. Blocks of rasters are tiles of 256 to 1024 pixels a side, or some rows.
 constexpr int default_max_block_mpx = 64;
+
+/// Thrown where no driver takes a file as a raster.
+struct NoRaster : Error {
+  using Error::Error;
+};
+
+/// A raster as GDAL opens it.
+struct RasterFile {
+  std::string path;  // as GDAL takes it
+  std::string name;  // for messages; of an archive's entry with the archive's path before it
+  std::shared_ptr<const gdal::ScratchFiles> unpacked;  // that `path` is one of; null: of the disk
+};
 
 class ElevationModel {
  public:
@@ -22,10 +40,14 @@ class ElevationModel {
   explicit ElevationModel(const std::filesystem::path& file,
                           int max_block_mpx = default_max_block_mpx,
                           const std::string& crs_without = {});
+  explicit ElevationModel(const RasterFile& file, int max_block_mpx,
+                          const std::string& crs_without);
   ~ElevationModel();
   ElevationModel(ElevationModel&&) noexcept;
   ElevationModel& operator=(ElevationModel&&) noexcept;
 
+  /// Returns the name of the raster, for messages.
+  const std::string& name() const;
   /// Returns whether the raster names a CRS. Without one, its coordinates are taken to be the
   /// caller's.
   bool has_crs() const;

@@ -62,7 +62,7 @@ TEST(DemRaster, ARasterWithoutACrsHasTheOneGiven) {
   test::write_raster(
       folder / "utm.tif", 0, 391000, 5819100, 10, 20, 20,
       [](int column, int) { return 10.0 * column + 5; }, -1);
-  const DemRaster raster(folder / "utm.tif", terrain::default_max_block_mpx, "EPSG:25833");
+  const DemRaster raster(folder / "utm.tif", {.crs_without = "EPSG:25833"});
   EXPECT_NEAR(raster.height_at({13.394162598, 52.510303463}).value(), 20, 0.01);
   try {
     const DemRaster none(folder / "utm.tif");

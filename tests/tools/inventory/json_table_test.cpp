@@ -122,6 +122,38 @@ TEST(JsonTable, RowsAreFoundInWhatWrapsThem) {
   expect_two(R"({"fields":[{"id":"lat"},{"id":"lon"}],"records":[[52.5,13.4],[52.51,13.41]]})");
 }
 
+// The six orientations of pandas' to_json but for "values", which names no columns.
+TEST(JsonTable, TablesMayLieByColumnsOrByTheNamesOfRows) {
+  expect_two(R"({"id":{"0":"a","1":"b"},"lon":{"0":13.4,"1":13.41},"lat":{"0":52.5,"1":52.51}})");
+  expect_two(R"({"0":{"lon":13.4,"lat":52.5},"1":{"lon":13.41,"lat":52.51}})");
+  expect_two(R"({"columns":["lon","lat"],"index":[0,1],"data":[[13.4,52.5],[13.41,52.51]]})");
+  expect_two(R"({"schema":{"fields":[{"name":"index","type":"integer"},{"name":"lon"},
+                 {"name":"lat"}],"primaryKey":["index"],"pandas_version":"1.4.0"},
+                 "data":[{"index":0,"lon":13.4,"lat":52.5},{"index":1,"lon":13.41,"lat":52.51}]})");
+  expect_two(R"({"lon":[13.4,13.41],"lat":[52.5,52.51],"note":["a \"b\"",null]})");
+  expect_two(R"({"status":"ok","data":{"lon":[13.4,13.41],"lat":[52.5,52.51]}})");
+  // Firebase's, under their ids and in a member; and rows that columns name in different order.
+  expect_two(R"({"lamps":{"-Ma":{"lat":52.5,"lng":13.4},"-Mb":{"lat":52.51,"lng":13.41}}})");
+  expect_two(R"({"lat":{"a":52.5,"b":52.51},"lon":{"b":13.41,"a":13.4}})");
+  expect_two(R"({"7":{"geometry":{"type":"Point","coordinates":[13.4,52.5]}},
+                 "9":{"geometry":{"type":"Point","coordinates":[13.41,52.51]}}})",
+             "");
+}
+
+TEST(JsonTable, NamesOfRowsAreAColumn) {
+  const TempFolder folder;
+  write_text(folder / "lamps.json", R"({"L-7":{"lon":13.4,"lat":52.5,"watt":60}})");
+  const TableLook look = look_at_table(folder / "lamps.json");
+  EXPECT_EQ(look.columns, (std::vector<std::string>{"index", "lon", "lat", "watt"}));
+}
+
+TEST(JsonTable, ObjectsThatAreNoTableAreNone) {
+  for (const char* text :
+       {R"({"meta":{"name":"x"},"about":{"name":"y"}})", R"({"lon":[13.4,13.41],"lat":[52.5]})",
+        R"({"type":"CityJSON","CityObjects":{"a":{"type":"Building","geometry":[]}}})"})
+    EXPECT_NE(why_no_json(text).find("no table of lamps"), std::string::npos) << why_no_json(text);
+}
+
 TEST(JsonTable, FeaturesMayBeAListOfTheirOwn) {
   const std::string a = R"({"type":"Feature","properties":{},
                "geometry":{"type":"Point","coordinates":[13.4,52.5]}})",

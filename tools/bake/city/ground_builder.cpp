@@ -307,7 +307,7 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
                             : fmt::format(", {} triangles fewer by max_error_m", ground.thinned());
   return fmt::format(
       "{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data{}{}",
-      options_.elevation_models.size(), ground.step_m(), meeting, ground.missing_percent(), thinned,
+      heights.count(), ground.step_m(), meeting, ground.missing_percent(), thinned,
       heights.assumptions());
 }
 

@@ -2,56 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 
 #include "formats/error.h"
+#include "tools/terrain/open_models.h"
 
 namespace nightcity::bake {
-namespace {
-
-using terrain::ElevationModel;
-
-// Puts models that are clearly finer before others. Tiles of one survey in two CRSs are not equally
-// fine to the last digit, and keep their order.
-void put_finest_first(std::vector<ElevationModel>& models) {
-  constexpr double clearly = 1.5;
-  std::vector<double> steps;
-  for (const ElevationModel& model : models) steps.push_back(model.resolution_m());
-  std::sort(steps.begin(), steps.end());
-  std::vector<double> classes;  // the finest of each
-  for (const double step : steps)
-    if (classes.empty() || step > clearly * classes.back()) classes.push_back(step);
-  const auto class_of = [&](const ElevationModel& model) {
-    return std::upper_bound(classes.begin(), classes.end(), model.resolution_m());
-  };
-  std::stable_sort(
-      models.begin(), models.end(),
-      [&](const ElevationModel& a, const ElevationModel& b) { return class_of(a) < class_of(b); });
-}
-
-}  // namespace
-
 GroundHeights::GroundHeights(const GroundOptions& options, const georeference::CityFrame& city)
     : city_(city) {
-  for (const auto& file : options.elevation_models) {
-    models_.emplace_back(file, options.max_dem_block_mpx, options.elevation_crs);
-    if (models_.back().has_crs() && !city_.has_lon_lat())
-      throw Error(file.string(), "cannot be placed under a city that names no CRS: set [city] crs");
-    constexpr const char* remedy =
-        "say its CRS by [terrain] dem_crs, or write it into it (gdal_edit.py -a_srs EPSG:<code>) "
-        "or into a .prj beside it";
-    if (!models_.back().has_crs() && options.carries_buildings)
-      throw Error(file.string(),
+  models_ = terrain::open_elevation_models(
+      options.elevation_models,
+      {options.max_dem_block_mpx, options.max_dem_unpacked_mb, options.elevation_crs});
+  constexpr const char* remedy =
+      "say its CRS by [terrain] dem_crs, or write it into it (gdal_edit.py -a_srs EPSG:<code>) "
+      "or into a .prj beside it";
+  std::size_t assumed = 0;
+  constexpr std::size_t most_named = 3;
+  for (const terrain::ElevationModel& model : models_) {
+    if (model.has_crs() && !city_.has_lon_lat())
+      throw Error(model.name(), "cannot be placed under a city that names no CRS: set [city] crs");
+    if (!model.has_crs() && options.carries_buildings)
+      throw Error(model.name(),
                   std::string("names no CRS, and cannot be placed under a map: ") + remedy);
-    if (!models_.back().has_crs())
-      unplaced_ =
-          file.filename().string() + " names no CRS and is taken to have the city's: " + remedy;
-    if (const std::string& said = models_.back().assumption(); !said.empty())
+    if (!model.has_crs())
+      unplaced_ = std::filesystem::path(model.name()).filename().string() +
+                  " names no CRS and is taken to have the city's: " + remedy;
+    if (const std::string& said = model.assumption(); !said.empty() && assumed++ < most_named)
       assumptions_ += ", " + said;
-    finest_ = std::min(finest_, models_.back().resolution_m());
+    finest_ = std::min(finest_, model.resolution_m());
   }
-  put_finest_first(models_);
+  if (assumed > most_named)
+    assumptions_ += ", and those of " + std::to_string(assumed - most_named) + " others";
 }
 
 std::vector<double> GroundHeights::at(std::span<const glm::dvec2> places) const {

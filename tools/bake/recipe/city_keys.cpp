@@ -1,6 +1,7 @@
 #include <array>
 
 #include "tools/bake/recipe/tables.h"
+#include "tools/inputs/city_files.h"
 
 namespace nightcity::recipe {
 namespace {
@@ -78,7 +79,7 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
       "city",
       "The city model.",
       {paths_key(
-           "files", city.files, folder, {.expands_folders = true},
+           "files", city.files, folder, {.expand = inputs::city_files},
            R"(["buildings", "terrain.gml.gz"])",
            "CityGML 1, 2 or 3, CityJSON 1.0 to 2.0 or CityJSONSeq and Wavefront OBJ files, plain, "
            "gzipped or zipped. Paths are relative to the recipe. A folder stands for the city "

@@ -5,7 +5,6 @@
 
 #include "formats/error.h"
 #include "formats/program/toml_file.h"
-#include "tools/inputs/city_files.h"
 
 namespace nightcity::recipe {
 namespace {
@@ -25,10 +24,10 @@ std::vector<fs::path> read_paths(const Value& value, const fs::path& folder, con
     named.push_back((folder / name).lexically_normal());
   }
   inputs::NamedOnce once = inputs::name_once(std::move(named), list.kept);
-  if (list.expands_folders) {
+  if (list.expand) {
     std::vector<fs::path> found;
     for (const fs::path& path : once.files) {
-      const std::vector<fs::path> files = inputs::city_files(path);
+      const std::vector<fs::path> files = list.expand(path);
       found.insert(found.end(), files.begin(), files.end());
     }
     inputs::NamedOnce expanded = inputs::name_once(std::move(found), list.kept);

@@ -52,7 +52,9 @@ Key texts_key(std::string name, std::vector<std::string>& target, std::string ex
               std::string help);
 
 struct PathList {
-  bool expands_folders = false;                   // a folder stands for the city files in it
+  /// Returns the files that a folder stands for, and any other path as it is; null: folders stand
+  /// for themselves.
+  std::vector<std::filesystem::path> (*expand)(const std::filesystem::path&) = nullptr;
   inputs::Mention kept = inputs::Mention::first;  // of a file that is named again
 };
 

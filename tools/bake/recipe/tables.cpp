@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "tools/lights/night_schedule.h"
+#include "tools/terrain/raster_names.h"
 
 namespace nightcity::recipe {
 namespace {
@@ -59,9 +60,14 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
       "terrain",
       "The ground of a city whose model has no relief.",
       {paths_key(
-           "dem", terrain.elevation_models, folder, {}, R"(["heights.tif"])",
+           "dem", terrain.elevation_models, folder, {.expand = terrain::list_raster_files},
+           R"(["heights.tif", "tiles.zip"])",
            "Digital elevation models in a raster format that GDAL reads, except those "
-           "that lead to other files or the network (VRT, WMS). Where several have a height the "
+           "that lead to other files or the network (VRT, WMS). A folder stands for the rasters "
+           "in it and in the folders inside it, a .zip for those in it with their .tfw, .prj or "
+           ".hdr (a text in it is one where nothing else is), and a .gz is unpacked. Rasters that "
+           "come beside heights and say how good they are (`_HEM`, `_num`, ...) are passed over, "
+           "with a note. Where several have a height the "
            "finest decides, of about equally fine ones the first. They are not "
            "used where the city model has a relief of its own."),
        text_key("dem_crs", terrain.elevation_crs, "\"EPSG:25832\"",
@@ -71,6 +77,10 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
                    "A limit: the bake ends at an elevation model whose blocks (tiles or rows, "
                    "which are unpacked as a whole) have more pixels, in millions. The size of "
                    "the model itself does not matter."),
+       integer_key("max_dem_unpacked_mb", terrain.max_dem_unpacked_mb, 1, 100'000'000,
+                   "A limit: the bake ends where the elevation models in archives and gzip "
+                   "streams together unpack to more, in MB of the temporary folder. One entry "
+                   "unpacks to 200 times its size or 1 GB at most."),
        flag_key("make_surface", terrain.make_surface,
                 "Where there is neither a relief nor an elevation model, makes a ground "
                 "surface through the footprints of the buildings."),

@@ -49,6 +49,8 @@ json to_json(const inventory::InventoryReport& report) {
   json made{{"file", report.file},       {"format", report.format},  {"rows", report.rows},
             {"lamps", report.lamps},     {"joined", report.joined},  {"replaced", report.replaced},
             {"skipped", report.skipped}, {"columns", report.columns}};
+  if (report.titles > 0) made["lines_above_headings"] = report.titles;
+  if (!report.encoding.empty()) made["encoding"] = report.encoding;
   if (!report.incomplete.empty()) made["incomplete"] = report.incomplete;
   if (!report.doubt.empty()) made["doubt"] = report.doubt;
   return made;
@@ -57,6 +59,9 @@ json to_json(const inventory::InventoryReport& report) {
 std::string to_text(const inventory::InventoryReport& report) {
   std::string text = fmt::format("{} ({}): {} rows, {} posts", report.file, report.format,
                                  report.rows, report.lamps);
+  if (report.titles > 0)
+    text += fmt::format(", {} lines above its headings passed over", report.titles);
+  if (!report.encoding.empty()) text += ", read as " + report.encoding;
   if (report.joined > 0) text += fmt::format(", {} rows at the place of another", report.joined);
   if (report.replaced > 0)
     text += fmt::format(", in place of {} lamps of the map", report.replaced);
