@@ -196,7 +196,8 @@ std::optional<Foreign> find_xml(std::string_view text, std::string_view root) {
   }
   if (root == "dataset" && text.find("fgd.gsi.go.jp") != text.npos)
     return Foreign{"is GML of the Geospatial Information Authority of Japan",
-                   "convert it to GeoTIFF first"};
+                   "an elevation model belongs in [terrain] dem under its own name "
+                   "(FG-GML-...-DEM...xml); otherwise convert it to GeoTIFF first"};
   if (root.starts_with("iestm33"))  // and the year of the edition
     return Foreign{"is photometry in TM-33", "export it as IES LM-63 or EULUMDAT"};
   for (const Root& row : roots)

@@ -218,6 +218,10 @@ std::string to_utf8(std::string text) {
   return read_next(*source, std::string::npos);
 }
 
+std::unique_ptr<ByteSource> resume(std::string start, std::unique_ptr<ByteSource> rest) {
+  return std::make_unique<ResumedSource>(std::move(start), std::move(rest));
+}
+
 std::string decode_text(std::string text) {
   constexpr std::array<char32_t, 32> signs{
       0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,

@@ -23,6 +23,9 @@ std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source);
 /// Returns the same of a whole text.
 std::string to_utf8(std::string text);
 
+/// Returns a source of bytes that have been read already, and then of the rest; null: no rest.
+std::unique_ptr<ByteSource> resume(std::string start, std::unique_ptr<ByteSource> rest);
+
 /// Returns a text in UTF-8: as it is where it is valid, else taken as Windows-1252, which holds
 /// ISO 8859-1.
 std::string decode_text(std::string text);

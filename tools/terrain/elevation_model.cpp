@@ -118,8 +118,6 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
     refuse_large_blocks(*s.dataset->GetRasterBand(i), max_block_mpx, s.name);
   double from_pixel[6];
   find_raster_transform(*s.dataset, s.name, from_pixel);
-  if (!GDALInvGeoTransform(from_pixel, s.to_pixel))
-    throw Error(s.name, "has a geotransform without extent: all of its pixels lie on a line");
   int said = 0;
   if (const double value = s.band->GetNoDataValue(&said); said) s.no_data = value;
   if (const double value = s.band->GetScale(&said); said && value != 0) s.scale = value;
@@ -127,6 +125,9 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
 
   const auto found = find_raster_crs(*s.dataset, path, s.name, crs_without);
   const OGRSpatialReference* const crs = found ? &*found : nullptr;
+  if (crs) take_zone_off(*crs, from_pixel);
+  if (!GDALInvGeoTransform(from_pixel, s.to_pixel))
+    throw Error(s.name, "has a geotransform without extent: all of its pixels lie on a line");
   s.unit = find_height_unit(*s.band, crs, s.name);
   if (s.band->GetRasterDataType() == GDT_Byte && s.scale == 1)
     s.assumption = "heights of " + std::filesystem::path(s.name).filename().string() +

@@ -1,6 +1,10 @@
 #include "tools/terrain/packed_rasters.h"
 
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_string.h>
 #include <cpl_vsi.h>
+#include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <array>
@@ -12,9 +16,11 @@
 #include "formats/error.h"
 #include "formats/file_names.h"
 #include "formats/to_lower.h"
+#include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
-#include "tools/gdal/scratch_files.h"
+#include "tools/terrain/gsi_grid.h"
 #include "tools/terrain/raster_names.h"
+#include "tools/terrain/text_rasters.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -37,34 +43,37 @@ std::string find_stem(std::string_view name) {
   return to_lower(name.substr(0, name.find('.', folders)));
 }
 
-// The entries of an archive by their part in it.
-struct Entries {
-  std::vector<const city::Document*> rasters, companions;
-  std::size_t passed_over = 0;  // rasters that hold something else
-  std::string first_passed_over;
+// A file that GDAL finds, read once from its beginning to its end.
+class VirtualSource : public city::ByteSource {
+ public:
+  VirtualSource(const std::string& path, std::string name)
+      : name_(std::move(name)), file_(VSIFOpenL(path.c_str(), "rb"), VSIFCloseL) {
+    if (!file_) throw Error(name_, "cannot be unpacked: " + gdal::find_reason());
+  }
+  std::size_t read(char* out, std::size_t size) override {
+    CPLErrorReset();
+    const std::size_t got = VSIFReadL(out, 1, size, file_.get());
+    if (got < size && CPLGetLastErrorType() == CE_Failure)
+      throw Error(name_, "cannot be unpacked: " + gdal::find_reason());
+    return got;
+  }
+
+ private:
+  std::string name_;
+  std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> file_;
 };
 
-// Texts are heights where nothing else is: beside rasters they are licences and lists of tiles.
-Entries sort_entries(const std::vector<city::Document>& documents) {
-  const auto is_raster = [](const city::Document& document) {
-    return is_named_as_raster(without_gzip(document.name));
-  };
-  const bool takes_texts = std::none_of(documents.begin(), documents.end(), is_raster);
-  Entries entries;
-  std::set<std::string> stems;
-  for (const city::Document& document : documents) {
-    const std::string name = without_gzip(document.name);
-    if (!(takes_texts ? is_named_as_text(name) : is_named_as_raster(name))) continue;
-    if (!is_about_heights(name))
-      entries.rasters.push_back(&document), stems.insert(find_stem(document.name));
-    else if (entries.passed_over++ == 0)
-      entries.first_passed_over = document.name;
-  }
-  for (const city::Document& document : documents)
-    if (!is_raster(document) && stems.contains(find_stem(document.name)) &&
-        !(takes_texts && is_named_as_text(without_gzip(document.name))))
-      entries.companions.push_back(&document);
-  return entries;
+std::string read_start_as_it_is(const city::Document& document) {
+  constexpr std::size_t enough = 512;
+  return city::read_next(*document.open_as_it_is(), enough);
+}
+
+bool is_raster_name(const std::string& name) {
+  return is_named_as_raster(name) || is_named_as_gsi_grid(name);
+}
+
+bool is_zip(const std::string& name) {
+  return to_lower(name).ends_with(".zip");
 }
 
 }  // namespace
@@ -76,84 +85,134 @@ std::vector<RasterFile> RasterUnpacker::find_rasters(const std::filesystem::path
   if (std::filesystem::is_directory(file, ignored))
     throw Error(path, "is a folder: name the rasters in it");
   const city::FileContents contents = city::list_contents(file, any_ending);
-  if (!contents.documents.front().packed) return {{path, path, nullptr}};
+  const city::Document& first = contents.documents.front();
+  const bool is_in_other_form =
+      is_named_as_gsi_grid(path) ||
+      (is_named_as_text_raster(path) && is_odd_text(read_start_as_it_is(first)));
+  if (!first.packed && !is_in_other_form) return {{path, path, nullptr}};
   gdal::register_drivers();
+  const gdal::Guard guard;
   ++inputs_;
   if (!files_) files_ = std::make_shared<gdal::ScratchFiles>(scratch_folder());
-  if (contents.documents.front().name != path) return unpack_archive(path, contents);
-  return {unpack_gzip(file, contents.documents.front())};
+  if (first.name != path) return unpack_archive(path, contents);
+  return {copy_alone(file, first)};
 }
 
+std::vector<RasterUnpacker::Entry> RasterUnpacker::list_entries(
+    const std::string& path, const city::FileContents& contents) {
+  std::vector<Entry> entries;
+  for (const city::Document& document : contents.documents) {
+    Entry entry{document.name, document.name.substr(path.size() + 1), document.open_as_it_is};
+    if (!is_zip(entry.name)) {
+      entries.push_back(std::move(entry));
+      continue;
+    }
+    for (Entry& inner : list_inner_archive(entry)) entries.push_back(std::move(inner));
+  }
+  return entries;
+}
+
+// GDAL reads such an archive, whose name is ours.
+std::vector<RasterUnpacker::Entry> RasterUnpacker::list_inner_archive(const Entry& archive) {
+  const std::string root = "/vsizip/{" + copy(archive) + "}";
+  const CPLStringList names(VSIReadDirRecursive(root.c_str()), TRUE);
+  if (names.empty()) throw Error(archive.name, "broken zip archive: damaged or empty");
+  std::vector<Entry> entries;
+  for (int i = 0; i < names.Count(); ++i) {
+    const std::string inside = names[i], path = root + "/" + inside;
+    const std::string name = archive.name + "/" + inside;
+    if (inside.ends_with('/') || is_zip(inside)) continue;
+    entries.push_back({name, archive.inside + "/" + inside,
+                       [path, name] { return std::make_unique<VirtualSource>(path, name); }});
+  }
+  return entries;
+}
+
+// Texts are heights where nothing else is: beside rasters they are licences and lists of tiles.
 std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
                                                        const city::FileContents& contents) {
-  const Entries entries = sort_entries(contents.documents);
-  if (entries.rasters.empty()) {
-    const bool is_packed = !contents.packed_entries.empty();
-    throw NoRaster(path, "the archive holds no elevation model, but " +
-                             (is_packed ? "another packed file (" + contents.packed_entries.front()
-                                        : contents.documents.front().name) +
-                             (is_packed ? ")" : "") + ": unpack it and name what is inside");
+  const std::vector<Entry> entries = list_entries(path, contents);
+  const auto is_raster = [](const Entry& entry) {
+    return is_raster_name(without_gzip(entry.name));
+  };
+  const bool takes_texts = std::none_of(entries.begin(), entries.end(), is_raster);
+  std::vector<const Entry*> rasters, passed_over;
+  std::set<std::string> stems;
+  for (const Entry& entry : entries) {
+    const std::string name = without_gzip(entry.name);
+    if (!(takes_texts ? is_named_as_text(name) : is_raster_name(name))) continue;
+    (is_about_heights(name) ? passed_over : rasters).push_back(&entry);
+    if (!is_about_heights(name)) stems.insert(find_stem(name));
   }
-  if (entries.passed_over > 0)
+  if (rasters.empty())
+    throw NoRaster(path, "the archive holds no elevation model" +
+                             (entries.empty() ? "" : ", but " + entries.front().name) +
+                             ": unpack it and name what is inside");
+  if (!passed_over.empty())
     std::fprintf(stderr,
                  "note: %s: %zu rasters inside were passed over whose names speak of no heights "
                  "(%s)\n",
-                 path.c_str(), entries.passed_over, entries.first_passed_over.c_str());
-  const auto name_inside = [&](const city::Document& document) {
-    return without_gzip(std::string_view(document.name).substr(path.size() + 1));
-  };
-  for (const city::Document* document : entries.companions)
-    unpack(*document, name_inside(*document));
+                 path.c_str(), passed_over.size(), passed_over.front()->inside.c_str());
+  for (const Entry& entry : entries)
+    if (!is_raster(entry) && !is_named_as_text(entry.name) &&
+        stems.contains(find_stem(without_gzip(entry.name))))
+      unpack(entry);
   std::vector<RasterFile> files;
-  for (const city::Document* document : entries.rasters)
-    files.push_back({is_gzip(document->name)
-                         ? unpack_gzip_in_archive(*document, name_inside(*document))
-                         : unpack(*document, name_inside(*document)),
-                     document->name, files_});
+  for (const Entry* raster : rasters) files.push_back({unpack(*raster), raster->name, files_});
   return files;
 }
 
-RasterFile RasterUnpacker::unpack_gzip(const std::filesystem::path& file,
-                                       const city::Document& document) {
-  const std::filesystem::path plain = without_gzip(file.string());
+RasterFile RasterUnpacker::copy_alone(const std::filesystem::path& file,
+                                      const city::Document& document) {
+  const std::filesystem::path plain = document.packed ? without_gzip(file.string()) : file.string();
   // Of what may lie beside, plain itself.
   for (const char* ending : {".prj", ".PRJ", ".hdr", ".HDR", ".tfw", ".TFW"}) {
     std::filesystem::path beside = plain;
     beside.replace_extension(ending);
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(beside, ignored))
-      unpack(city::list_documents(beside, any_ending).front(), beside.filename().string());
+    if (!std::filesystem::is_regular_file(beside, ignored)) continue;
+    const city::Document other = city::list_documents(beside, any_ending).front();
+    copy({other.name, beside.filename().string(), other.open_as_it_is});
   }
-  return {unpack(document, plain.filename().string()), document.name, files_};
-}
-
-std::string RasterUnpacker::unpack(const city::Document& document, const std::string& name) {
-  const auto source = document.open_as_it_is();
-  return files_->add(std::to_string(inputs_) + "/" + name, [&](char* out, std::size_t size) {
-    const std::size_t got = source->read(out, size);
-    count(got, document.name);
-    return got;
-  });
+  return {copy({document.name, plain.filename().string(), document.open_as_it_is}), document.name,
+          files_};
 }
 
 // GDAL reads a gzip stream from its beginning for each step back, so that it is unpacked once more.
-std::string RasterUnpacker::unpack_gzip_in_archive(const city::Document& document,
-                                                   const std::string& name) {
-  const gdal::Guard guard;
-  const std::string packed = unpack(document, name + std::string(gzip));
-  const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> source(
-      VSIFOpenL(("/vsigzip/" + packed).c_str(), "rb"), VSIFCloseL);
-  if (!source) throw Error(document.name, "broken gzip stream: " + gdal::find_reason());
-  CPLErrorReset();
-  const std::string path =
-      files_->add(std::to_string(inputs_) + "/" + name, [&](char* out, std::size_t size) {
-        const std::size_t got = VSIFReadL(out, 1, size, source.get());
-        count(got, document.name);
-        return got;
-      });
-  if (CPLGetLastErrorType() == CE_Failure)
-    throw Error(document.name, "broken gzip stream: " + gdal::find_reason());
-  return path;
+std::string RasterUnpacker::unpack(const Entry& entry) {
+  const std::string path = copy(entry);
+  if (!is_gzip(entry.inside)) return path;
+  return copy({entry.name, without_gzip(entry.inside),
+               [&] { return std::make_unique<VirtualSource>("/vsigzip/" + path, entry.name); }});
+}
+
+std::string RasterUnpacker::copy(const Entry& entry) {
+  if (is_named_as_gsi_grid(entry.inside)) return copy_gsi_grid(entry);
+  auto source = entry.open();
+  if (is_named_as_text_raster(entry.inside)) source = straighten_text(std::move(source));
+  return add(entry.inside, entry.name, *source);
+}
+
+std::string RasterUnpacker::copy_gsi_grid(const Entry& entry) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 28;  // a tile has some MB
+  const GsiGrid grid =
+      read_gsi_grid(city::read_next(*city::to_utf8(entry.open()), most_bytes), entry.name);
+  const std::string stem = entry.inside.substr(0, entry.inside.rfind('.'));
+  OGRSpatialReference crs;
+  char* text = nullptr;
+  if (crs.SetFromUserInput(grid.crs.c_str()) == OGRERR_NONE) crs.exportToWkt(&text);
+  add(stem + ".prj", entry.name, *city::resume(text ? text : "", nullptr));
+  CPLFree(text);
+  return add(stem + ".asc", entry.name, *city::resume(grid.grid, nullptr));
+}
+
+std::string RasterUnpacker::add(const std::string& inside, const std::string& name,
+                                city::ByteSource& source) {
+  return files_->add(std::to_string(inputs_) + "/" + inside, [&](char* out, std::size_t size) {
+    const std::size_t got = source.read(out, size);
+    count(got, name);
+    return got;
+  });
 }
 
 void RasterUnpacker::count(std::size_t bytes, const std::string& name) {
@@ -170,7 +229,7 @@ bool holds_packed_rasters(const std::filesystem::path& file) {
   const city::FileContents contents = city::list_contents(file, any_ending);
   return std::any_of(contents.documents.begin(), contents.documents.end(),
                      [](const city::Document& document) {
-                       return document.packed && is_named_as_raster(without_gzip(document.name));
+                       return document.packed && is_raster_name(without_gzip(document.name));
                      });
 }
 

@@ -3,16 +3,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "tools/city/byte_source.h"
+#include "tools/gdal/scratch_files.h"
 #include "tools/terrain/elevation_model.h"
 
 namespace nightcity::terrain {
 
-/// Unpacks rasters, and what belongs to them, to where GDAL finds them.
+/// Unpacks rasters, and what belongs to them, to where GDAL finds them; there go texts that it
+/// misreads, in a form that it reads.
 class RasterUnpacker {
  public:
   /// `max_mb`: of all that is unpacked.
@@ -23,12 +26,25 @@ class RasterUnpacker {
   std::vector<RasterFile> find_rasters(const std::filesystem::path& file);
 
  private:
+  struct Entry {
+    std::string name;    // for messages
+    std::string inside;  // its path in the archive
+    std::function<std::unique_ptr<city::ByteSource>()> open;
+  };
+
+  std::vector<Entry> list_entries(const std::string& path, const city::FileContents& contents);
+  std::vector<Entry> list_inner_archive(const Entry& archive);
   std::vector<RasterFile> unpack_archive(const std::string& path,
                                          const city::FileContents& contents);
-  RasterFile unpack_gzip(const std::filesystem::path& file, const city::Document& document);
-  /// Returns the path by which GDAL finds the document under this name.
-  std::string unpack(const city::Document& document, const std::string& name);
-  std::string unpack_gzip_in_archive(const city::Document& document, const std::string& name);
+  /// Unpacks, or puts into another form, a file that is one raster, with what lies beside it.
+  RasterFile copy_alone(const std::filesystem::path& file, const city::Document& document);
+  /// Writes an elevation model of GSI as another raster.
+  std::string copy_gsi_grid(const Entry& entry);
+  /// Returns the path by which GDAL finds an entry, out of its gzip stream where it is one.
+  std::string unpack(const Entry& entry);
+  /// Returns the path by which GDAL finds an entry as it is.
+  std::string copy(const Entry& entry);
+  std::string add(const std::string& inside, const std::string& name, city::ByteSource& source);
   void count(std::size_t bytes, const std::string& name);
 
   int max_mb_;

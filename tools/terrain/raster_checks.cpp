@@ -1,5 +1,6 @@
 #include "tools/terrain/raster_checks.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_vsi.h>
 
@@ -9,6 +10,7 @@
 
 #include "formats/error.h"
 #include "formats/packed_file.h"
+#include "formats/to_lower.h"
 #include "tools/city/foreign_format.h"
 
 namespace nightcity::terrain {
@@ -60,6 +62,11 @@ std::string explain_unread_raster(const std::string& path) {
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
   if (!said.empty()) return said;
+  const std::string ending = to_lower(CPLGetExtension(path.c_str()));
+  VSIStatBufL status;
+  if ((ending == "flt" || ending == "bil") &&
+      VSIStatL(CPLResetExtension(path.c_str(), "hdr"), &status) != 0)
+    return "the .hdr that belongs to it is missing";
   if (const std::string what = city::name_foreign(start, ""); !what.empty())
     return "it " + what + "; a raster of heights is a GeoTIFF, say";
   return "it is in none of the formats of rasters that are read (GeoTIFF, ...)";

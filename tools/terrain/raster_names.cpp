@@ -9,6 +9,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/terrain/gsi_grid.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -29,7 +30,8 @@ bool is_raster_or_packed(const std::string& name) {
   const std::string_view gzip = ".gz";
   const std::string_view plain =
       std::string_view(name).substr(0, name.size() - (name.ends_with(gzip) ? gzip.size() : 0));
-  return name.ends_with(".zip") || city::ends_with_any(plain, raster_endings);
+  return name.ends_with(".zip") || is_named_as_gsi_grid(name) ||
+         city::ends_with_any(plain, raster_endings);
 }
 
 }  // namespace
@@ -43,7 +45,12 @@ bool is_named_as_text(std::string_view name) {
 }
 
 bool is_about_heights(std::string_view name) {
-  const std::string stem = to_lower(name.substr(0, name.rfind('.')));
+  const std::string path = to_lower(name.substr(0, name.rfind('.')));
+  const std::string stem = path.substr(path.find_last_of("/\\") + 1);
+  // The distance to what was measured, and its source, beside IGN's RGE ALTI.
+  if (stem.starts_with("rgealti_") &&
+      (stem.find("_dst_") != std::string::npos || stem.find("_src_") != std::string::npos))
+    return true;
   const std::size_t last = stem.rfind('_');
   return last != std::string::npos && std::find(other_layers.begin(), other_layers.end(),
                                                 stem.substr(last + 1)) != other_layers.end();

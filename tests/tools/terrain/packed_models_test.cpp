@@ -142,6 +142,21 @@ TEST(PackedModels, RastersLieInArchivesWithWhatBelongsToThem) {
   EXPECT_EQ(heights_of(path), Heights{4}) << "packed twice";
 }
 
+// As Britain's OS Terrain 50 comes: a small archive for each tile in a large one.
+TEST(PackedModels, ArchivesLieInArchives) {
+  const TempFolder folder;
+  pack_zip(folder / "tile.zip", {{"TQ38.asc", make_grid(37.5)}, {"TQ38.prj", make_prj()}});
+  pack_zip(folder / "deep.zip", {{"a.zip", read_text(folder / "tile.zip")}});
+  pack_zip(folder / "all.zip", {{"data/tq/tq38.zip", read_text(folder / "tile.zip")},
+                                {"data/deep.zip", read_text(folder / "deep.zip")},
+                                {"readme.txt", "x"}});
+  const auto models = open_elevation_models({folder / "all.zip"}, {});
+  ASSERT_EQ(models.size(), 1u);
+  EXPECT_EQ(height_of(models[0]), 37.5);
+  EXPECT_TRUE(models[0].has_crs());
+  EXPECT_EQ(models[0].name(), (folder / "all.zip").string() + "/data/tq/tq38.zip/TQ38.asc");
+}
+
 // Heights of 32 to 255 m in whole numbers of two bytes look like Latin text in UTF-16.
 TEST(PackedModels, BytesOfARasterAreNoText) {
   const TempFolder folder;
@@ -207,7 +222,9 @@ TEST(PackedModels, WhatIsNotReadIsNamed) {
     EXPECT_NE(why.find(path.string()), std::string::npos) << why;
   };
   expect({{"readme.pdf", "%PDF"}}, "holds no elevation model, but");
-  expect({{"a.zip", "PK\x03\x04"}}, "another packed file (a.zip)");
+  expect({{"a.zip", "PK\x03\x04"}}, "a.zip/a.zip: broken zip archive");
+  expect({{"a.7z", "7z"}}, "holds no elevation model, but");
+  expect({{"dem.flt", "x"}}, "dem.flt: is no raster of heights: the .hdr that belongs to it");
   expect({{"readme.txt", "hello"}}, "readme.txt: is no raster of heights");
   expect({{"dem.tif", "hello"}, {"b.asc", make_grid(1)}}, "dem.tif: is no raster of heights");
   expect({{"dem.asc", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>"}}, "format VRT");
@@ -219,15 +236,21 @@ TEST(PackedModels, WhatIsNotReadIsNamed) {
   EXPECT_NE(why_not(path).find("broken zip archive"), std::string::npos) << why_not(path);
 }
 
+ElevationOptions bounded_by(int megabytes) {
+  ElevationOptions options;
+  options.max_unpacked_mb = megabytes;
+  return options;
+}
+
 TEST(PackedModels, HowMuchIsUnpackedIsBoundedInAll) {
   const TempFolder folder;
   const std::string megabyte = make_grid(1) + std::string(700'000, ' ');
   pack_zip(folder / "a.zip", {{"a.asc", megabyte}});
   pack_zip(folder / "b.zip", {{"b.asc", megabyte}});
-  EXPECT_EQ(why_not(folder / "a.zip", {.max_unpacked_mb = 1}), "was read");
-  const std::string why = why_not(folder.path(), {.max_unpacked_mb = 1});
+  EXPECT_EQ(why_not(folder / "a.zip", bounded_by(1)), "was read");
+  const std::string why = why_not(folder.path(), bounded_by(1));
   EXPECT_NE(why.find("max_dem_unpacked_mb in [terrain] = 1"), std::string::npos) << why;
-  EXPECT_EQ(why_not(folder.path(), {.max_unpacked_mb = 2}), "was read");
+  EXPECT_EQ(why_not(folder.path(), bounded_by(2)), "was read");
 }
 
 TEST(PackedModels, NothingIsLeftInTheTemporaryFolder) {
