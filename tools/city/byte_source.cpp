@@ -174,6 +174,10 @@ class ZipSource : public ByteSource {
 constexpr std::array<std::string_view, 8> packed_endings = {".zip", ".gz",  ".tgz", ".tar",
                                                             ".7z",  ".bz2", ".xz",  ".rar"};
 
+// Rasters of heights, which are told apart for what helps.
+constexpr std::array<std::string_view, 6> raster_endings = {".tif", ".tiff", ".asc",
+                                                            ".xyz", ".hgt",  ".flt"};
+
 // Archives made on a Mac hold "__MACOSX/._name" for each file, with icons and the like in it.
 bool is_hidden_entry(std::string_view entry) {
   const std::size_t slash = entry.rfind('/');
@@ -201,10 +205,11 @@ Document make_document(const std::string& name, bool packed,
 FileContents list_archive(const std::string& path, std::span<const std::string_view> endings) {
   const auto archive = std::make_shared<Archive>(path);
   FileContents contents;
-  std::string first_entry;
+  std::string first_entry, first_raster;
   visit_entries(*archive, [&](zip_uint64_t index, const std::string& entry) {
     const std::string lower = to_lower(entry);
     if (first_entry.empty()) first_entry = entry;
+    if (first_raster.empty() && ends_with_any(lower, raster_endings)) first_raster = entry;
     if (ends_with_any(lower, packed_endings)) contents.packed_entries.push_back(entry);
     if (!ends_with_any(lower, endings)) return;
     const std::string name = path + "/" + entry;
@@ -212,6 +217,9 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
         name, true, [=] { return std::make_unique<ZipSource>(archive, index, name); }));
   });
   if (!contents.documents.empty()) return contents;
+  if (!first_raster.empty())
+    throw Error(path, "the archive holds no " + join_endings(endings) + ", but " + first_raster +
+                          ": heights belong in [terrain] dem");
   const std::string remedy = ": unpack it and name what is inside";
   if (!contents.packed_entries.empty())
     throw Error(path, "the archive holds another packed file (" + contents.packed_entries.front() +

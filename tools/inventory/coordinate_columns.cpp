@@ -43,6 +43,8 @@ constexpr std::array pairs{Pair{"lon", "lat"},
                            Pair{"delka", "sirka"},
                            Pair{"долгота", "широта"},
                            Pair{"Долгота", "Широта"},
+                           Pair{"γεωγραφικόμήκος", "γεωγραφικόπλάτος"},
+                           Pair{"Γεωγραφικόμήκος", "Γεωγραφικόπλάτος"},
                            Pair{"経度", "緯度"},
                            Pair{"经度", "纬度"},
                            Pair{"經度", "緯度"},
@@ -136,8 +138,14 @@ bool is_name_of_geometries(const std::string& name) {
 CoordinateColumns find_coordinate_columns(OGRFeatureDefn& columns) {
   std::vector<std::string> names;
   for (int i = 0; i < columns.GetFieldCount(); ++i)
-    names.push_back(simplify_heading(columns.GetFieldDefn(i)->GetNameRef()));
-  return find_among(names);
+    names.emplace_back(columns.GetFieldDefn(i)->GetNameRef());
+  return find_coordinate_columns(names);
+}
+
+CoordinateColumns find_coordinate_columns(const std::vector<std::string>& names) {
+  std::vector<std::string> simple;
+  for (const std::string& name : names) simple.push_back(simplify_heading(name));
+  return find_among(simple);
 }
 
 bool is_name_of_points(std::string_view name) {
@@ -149,10 +157,14 @@ bool is_name_of_points(std::string_view name) {
   return std::find(names.begin(), names.end(), simple) != names.end();
 }
 
+bool puts_latitude_first(std::string_view name) {
+  const std::string lower = to_lower(name);
+  return lower.starts_with("geo_point") || lower.starts_with("lat");
+}
+
 bool have_names_of_places(const std::vector<std::string>& names) {
-  std::vector<std::string> simple;
-  for (const std::string& name : names) simple.push_back(simplify_heading(name));
-  return find_among(simple).x >= 0 || std::any_of(names.begin(), names.end(), is_name_of_points) ||
+  return find_coordinate_columns(names).x >= 0 ||
+         std::any_of(names.begin(), names.end(), is_name_of_points) ||
          std::any_of(names.begin(), names.end(), is_name_of_geometries);
 }
 

@@ -14,7 +14,9 @@
 namespace nightcity::inventory {
 namespace {
 
-constexpr std::array encodings{"CP932", "EUC-JP", "GB18030", "BIG5", "CP949", "CP1251", "CP1253"};
+constexpr std::array encodings{"CP932",  "EUC-JP", "GB18030",  "BIG5",   "CP949",
+                               "CP1250", "CP1251", "CP1253",   "KOI8-R", "CP866",
+                               "CP852",  "CP850",  "MACINTOSH"};
 
 class Decoder {
  public:

@@ -60,6 +60,19 @@ bool is_title(const std::vector<std::string>& cells, const std::vector<std::stri
   return cells.size() != headings.size() || 2 * count_filled(cells) < count_filled(headings);
 }
 
+// Returns whether the next line has a digit in the columns that two headings name.
+bool has_numbers_below(const std::vector<std::string>& headings, std::string_view rest,
+                       char separator) {
+  const CoordinateColumns columns = find_coordinate_columns(headings);
+  if (columns.x < 0) return false;
+  const std::vector<std::string> below = split(take_line(rest), separator);
+  const auto has_digit = [&](int column) {
+    const auto at = static_cast<std::size_t>(column);
+    return at < below.size() && below[at].find_first_of("0123456789") != std::string::npos;
+  };
+  return has_digit(columns.x) && has_digit(columns.y);
+}
+
 }  // namespace
 
 CsvHead find_csv_head(std::string_view text, const InventoryFile& inventory) {
@@ -77,7 +90,8 @@ CsvHead find_csv_head(std::string_view text, const InventoryFile& inventory) {
       const bool are_titles = std::all_of(
           before.begin(), before.end(),
           [&](std::string_view above) { return is_title(split(above, separator), cells); });
-      return are_titles ? CsvHead{begin, before.size(), true} : CsvHead{};
+      if (!are_titles && !has_numbers_below(cells, rest, separator)) return {};
+      return {begin, before.size(), true};
     }
     before.push_back(line);
   }

@@ -17,8 +17,9 @@ struct CsvHead {
 };
 
 /// Returns the first of a CSV's lines whose cells name places: by common names, or as x and y of
-/// the inventory. It is the first line of all, or one below such that have another number of cells
-/// or few that hold anything, as titles have: "Street lights;;;". Looks at the first lines alone.
+/// the inventory. It is the first line of all; or one with numbers below the names; or one below
+/// lines that have another number of cells or few that hold anything, as titles have ("Street
+/// lights;;;"). Looks at the first lines alone.
 CsvHead find_csv_head(std::string_view text, const InventoryFile& inventory);
 
 }  // namespace nightcity::inventory

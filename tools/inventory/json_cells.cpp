@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "formats/to_lower.h"
 #include "tools/cityjson/json.h"
+#include "tools/inventory/coordinate_columns.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -50,8 +50,7 @@ std::string to_geometry(const object& geometry) {
   return count < 2 ? "" : "POINT (" + numbers + ")";
 }
 
-// A pair of numbers is longitude and latitude, as in GeoJSON, MongoDB and Elasticsearch, but for
-// OpenDataSoft's geo_point_2d and what is named "latlng". Texts of one cell have latitude first.
+// Texts of one cell have latitude first.
 std::string join(const array& values, const std::string& name) {
   std::string text;
   std::vector<std::string> parts;
@@ -64,8 +63,7 @@ std::string join(const array& values, const std::string& name) {
       parts.size() == 2 && std::all_of(values.begin(), values.end(), [](const element& value) {
         return cityjson::to_number(value).has_value();
       });
-  const std::string lower = to_lower(name.substr(name.rfind('.') + 1));
-  if (are_two_numbers && !lower.starts_with("geo_point") && !lower.starts_with("lat"))
+  if (are_two_numbers && !puts_latitude_first(name.substr(name.rfind('.') + 1)))
     std::swap(parts[0], parts[1]);
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   return text;

@@ -149,6 +149,12 @@ std::string turn_table(const object& table, const std::string& file) {
   if (table.size() == 0) return {};
   const bool are_objects = std::all_of(table.begin(), table.end(),
                                        [](const auto& member) { return member.value.is_object(); });
+  const bool are_values = std::all_of(table.begin(), table.end(), [](const auto& member) {
+    return !member.value.is_object() && !member.value.is_array();
+  });
+  // A single row.
+  if (are_values && have_names_of_places(list_names(table)))
+    return "[" + simdjson::minify(table) + "]";
   if (!are_objects) return turn_lists(table, file);
   const object first = to_object((*table.begin()).value);
   if (first.size() == 0) return {};

@@ -9,6 +9,7 @@
 #include "tools/city/text_encoding.h"
 #include "tools/cityjson/json.h"
 #include "tools/inventory/json_columns.h"
+#include "tools/inventory/loose_json.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -43,12 +44,17 @@ JsonRows::JsonRows(std::string text, std::string file)
     : text_(city::decode_text(std::move(text))), file_(std::move(file)) {
   if (text_.starts_with("\xef\xbb\xbf")) std::fill_n(text_.begin(), 3, ' ');
   element root;
-  const simdjson::error_code error = parser_.parse(text_).get(root);
+  simdjson::error_code error = parser_.parse(text_).get(root);
   if (error != simdjson::SUCCESS) {
     in_lines_ = begins_in_lines();
-    if (!in_lines_) why_none_ = std::string("it is broken JSON: ") + simdjson::error_message(error);
-    return;
+    if (in_lines_) return;
+    text_ = straighten_json(text_);
+    simdjson::error_code still = parser_.parse(text_).get(root);
+    if (still != simdjson::SUCCESS)
+      why_none_ = std::string("it is broken JSON: ") + simdjson::error_message(error);
+    error = still;
   }
+  if (error != simdjson::SUCCESS) return;
   take_root(root);
   if (why_none_.empty() || !has_wrapper_) return;
   std::string turned = turn_into_rows(whole_, file_);
@@ -77,8 +83,9 @@ bool JsonRows::begins_in_lines() const {
   const std::size_t begin = std::min(whole.find_first_not_of(blanks), whole.size());
   const std::size_t end = std::min(whole.find('\n', begin), whole.size());
   object first;
-  return parser.parse(std::string(whole.substr(begin, end - begin))).get(first) ==
-         simdjson::SUCCESS;
+  const std::string line(whole.substr(begin, end - begin));
+  return parser.parse(line).get(first) == simdjson::SUCCESS ||
+         parser.parse(straighten_json(line)).get(first) == simdjson::SUCCESS;
 }
 
 void JsonRows::take_list(const array& rows) {
@@ -173,7 +180,10 @@ void JsonRows::visit(const VisitRow& use) {
     one.remove_prefix(std::min(one.find_first_not_of(blanks), one.size()));
     if (one.empty()) continue;
     element row;
-    if (parser_.parse(one.data(), one.size()).get(row) != simdjson::SUCCESS)
+    simdjson::error_code error = parser_.parse(one.data(), one.size()).get(row);
+    const std::string straight = error == simdjson::SUCCESS ? "" : straighten_json(one);
+    if (error != simdjson::SUCCESS) error = parser_.parse(straight).get(row);
+    if (error != simdjson::SUCCESS)
       throw Error(file_, line, "is broken JSON, where each line before is an object");
     use(row);
   }

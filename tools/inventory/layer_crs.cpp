@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "tools/gdal/utm_zone.h"
 #include "tools/georeference/srs_names.h"
 #include "tools/inventory/row_places.h"
 
@@ -65,7 +66,14 @@ LayerCrs::LayerCrs(OGRLayer& layer, const InventoryFile& inventory, const std::s
   const Writer writer = inventory.crs.empty() ? Writer::stranger : Writer::user;
   std::string why;
   for (const std::string& definition : definitions)
-    if ((crs_ = georeference::SourceCrs::create(definition, why, writer))) break;
+    if ((crs_ = georeference::SourceCrs::create(definition, why, writer))) {
+      OGRSpatialReference crs;
+      constexpr const char* const no_files[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO",
+                                                nullptr};
+      if (crs.SetFromUserInput(definition.c_str(), no_files) == OGRERR_NONE)
+        zone_ = crs.GetUTMZone(nullptr);
+      break;
+    }
   if (!crs_)
     throw Error(inventory.file.string(),
                 "has an unknown CRS (" + why + "): say it by crs in [[lamps.inventories]]");
@@ -103,7 +111,8 @@ void LayerCrs::choose_order(const glm::dvec2& middle) {
 }
 
 glm::dvec2 LayerCrs::to_east_north(const glm::dvec2& place) const {
-  const glm::dvec2 turned = order_.east_north({place, 0});
+  const glm::dvec2 in_zone(gdal::take_zone_off(place.x, zone_), place.y);
+  const glm::dvec2 turned = order_.east_north({in_zone, 0});
   return crs_->to_metres_or_degrees(turned);
 }
 

@@ -38,6 +38,7 @@ class LayerCrs {
 
   std::unique_ptr<georeference::SourceCrs> crs_;
   georeference::AxisOrder order_;  // of the layer's places
+  int zone_ = 0;                   // of UTM, which eastings may begin with; 0: it is not UTM
 };
 
 }  // namespace nightcity::inventory

@@ -16,6 +16,7 @@
 #include "tools/city/attributes.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/coordinate_columns.h"
 #include "tools/inventory/degrees_text.h"
 #include "tools/inventory/layer_columns.h"
 #include "tools/inventory/layer_crs.h"
@@ -101,7 +102,7 @@ class Reader {
   void take(const OGRFeature& row) {
     Places places;
     if (point_column_ >= 0 && !texts_.has_columns()) {
-      const auto place = parse_lat_lon(city::decode_text(row.GetFieldAsString(point_column_)));
+      const auto place = read_point(row);
       if (!place) return skip("without a place");
       places.push_back(*place);
     } else {
@@ -126,6 +127,18 @@ class Reader {
     const std::string id = columns_.read_id(row);
     for (std::size_t i = 0; i < places.size(); ++i)
       add(places[i], tags, i == 0 ? id : id + "/" + std::to_string(i));
+  }
+
+  // Two numbers in brackets are a list, as JSON writes positions.
+  std::optional<glm::dvec2> read_point(const OGRFeature& row) const {
+    const std::string text = city::decode_text(row.GetFieldAsString(point_column_));
+    auto place = parse_lat_lon(text);
+    const char* const name = row.GetFieldDefnRef(point_column_)->GetNameRef();
+    constexpr double most_degrees = 90;
+    if (place && city::trim(text).starts_with('[') && !puts_latitude_first(name) &&
+        std::abs(place->x) <= most_degrees)
+      std::swap(place->x, place->y);
+    return place;
   }
 
   void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {

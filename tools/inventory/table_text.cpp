@@ -106,13 +106,48 @@ bool has_one_column(std::string_view text) {
          line.find('\0') == line.npos && city::name_foreign(text, "").empty();
 }
 
+// Returns the place of the next cell that begins with '=' and a quotation mark, by which programs
+// keep Excel from changing a value: ="13.4". npos without.
+std::size_t find_formula(std::string_view text, std::size_t at) {
+  constexpr std::string_view borders = ",;|\t\r\n";
+  for (at = text.find("=\"", at); at != text.npos; at = text.find("=\"", at + 1))
+    if (at == 0 || borders.find(text[at - 1]) != borders.npos) return at;
+  return text.npos;
+}
+
+void drop_formulas(std::string& text) {
+  std::size_t at = find_formula(text, 0), copied = 0;
+  if (at == text.npos) return;
+  std::string out;
+  for (; at != text.npos; at = find_formula(text, at + 1)) {
+    out.append(text, copied, at - copied);
+    copied = at + 1;
+  }
+  out.append(text, copied);
+  text = std::move(out);
+}
+
+// Returns where a line ends within quotation marks of the headings, which GDAL reads by lines; npos
+// without.
+std::size_t find_quoted_line_end(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] != '\n' && text[i] != '\r') continue;
+    if (!quoted) return text.npos;
+    return i;
+  }
+  return text.npos;
+}
+
 }  // namespace
 
 bool is_odd_csv(std::string_view start) {
   bool quoted = false;
   return begins_with_separator(start) || begins_with_comment(start) || has_bars(start) ||
          begins_with_blank_line(start) || has_one_column(start) ||
-         find_seconds(start, 0, quoted) != start.npos;
+         find_seconds(start, 0, quoted) != start.npos || find_formula(start, 0) != start.npos ||
+         find_quoted_line_end(start) != start.npos;
 }
 
 void straighten_csv(std::string& text) {
@@ -120,6 +155,8 @@ void straighten_csv(std::string& text) {
   if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
   while (begins_with_comment(text)) text.erase(0, text.find('\n') + 1);
   while (begins_with_blank_line(text)) text.erase(0, text.find_first_of("\r\n") + 1);
+  for (std::size_t at; (at = find_quoted_line_end(text)) != text.npos;) text[at] = ' ';
+  drop_formulas(text);
   replace_seconds(text);
   if (has_bars(text)) replace_bars(text);
   if (has_one_column(text)) text.insert(text.find_first_of("\r\n"), "\t");

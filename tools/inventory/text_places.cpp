@@ -1,5 +1,8 @@
 #include "tools/inventory/text_places.h"
 
+#include <cpl_json.h>
+#include <cpl_string.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -56,10 +59,18 @@ struct BinaryHead {
   int srid = 0;            // 0: it names none
 };
 
+// PostgreSQL writes "\\x" before the digits of bytes, others "0x".
+std::string_view skip_prefix_of_hex(std::string_view text) {
+  text = city::trim(text);
+  if (text.starts_with("\\x") || text.starts_with("0x") || text.starts_with("0X"))
+    text.remove_prefix(2);
+  return text;
+}
+
 BinaryHead read_binary_head(std::string_view text) {
   constexpr std::uint32_t has_srid = 0x20000000;
   constexpr std::size_t digits = 18;
-  text = city::trim(text);
+  text = skip_prefix_of_hex(text);
   std::array<std::uint32_t, digits / 2> bytes{};
   if (text.size() < digits) return {};
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -124,6 +135,26 @@ bool is_geometry_of_points(std::string_view text) {
          kind == multipoint;
 }
 
+// Reads what GDAL does not take out of a column: a feature of GeoJSON, digits behind a prefix.
+OGRGeometryUniquePtr read_other_geometry(const std::string& text) {
+  if (is_geojson_of_points(text)) {
+    CPLJSONDocument document;
+    if (!document.LoadMemory(text)) return {};
+    const CPLJSONObject inner = document.GetRoot().GetObj("geometry");
+    const std::string geometry =
+        inner.IsValid() ? inner.Format(CPLJSONObject::PrettyFormat::Plain) : text;
+    return OGRGeometryUniquePtr(OGRGeometryFactory::createFromGeoJson(geometry.c_str()));
+  }
+  const std::string_view digits = skip_prefix_of_hex(text);
+  if (read_binary_head(digits).kind == 0) return {};
+  int size = 0;
+  GByte* const bytes = CPLHexToBinary(std::string(digits).c_str(), &size);
+  OGRGeometry* made = nullptr;
+  OGRGeometryFactory::createFromWkb(bytes, nullptr, &made, static_cast<std::size_t>(size));
+  CPLFree(bytes);
+  return OGRGeometryUniquePtr(made);
+}
+
 }  // namespace
 
 TextPlaces::TextPlaces(OGRLayer& layer, const InventoryFile& inventory)
@@ -167,7 +198,7 @@ OGRGeometryUniquePtr TextPlaces::read_geometry(const OGRFeature& row) const {
   if (geometry_ < 0) return {};
   const std::string text = text_of(row, geometry_);
   const auto [srid, geometry] = split_srid(text);
-  if (srid == 0) return {};
+  if (srid == 0) return read_other_geometry(text);
   if (const std::string crs = "EPSG:" + std::to_string(srid); crs != crs_)
     throw Error(file_, "has geometries in several CRSs (" + crs_ + ", and " + crs + " in row " +
                            std::to_string(row.GetFID()) +

@@ -21,6 +21,7 @@
 #include "tools/inventory/csv_head.h"
 #include "tools/inventory/geojson_crs.h"
 #include "tools/inventory/json_table.h"
+#include "tools/inventory/loose_json.h"
 #include "tools/inventory/packed_table.h"
 #include "tools/inventory/table_text.h"
 #include "tools/inventory/text_places.h"
@@ -48,11 +49,6 @@ std::string read_start(const std::string& path) {
   start.resize(VSIFReadL(start.data(), 1, start.size(), file));
   VSIFCloseL(file);
   return start;
-}
-
-bool begins_as_json(std::string_view start) {
-  const std::size_t first = start.find_first_not_of("\xef\xbb\xbf \t\r\n\x1e");
-  return first != start.npos && (start[first] == '{' || start[first] == '[');
 }
 
 // Returns what GDAL said or, where it said nothing, what the file looks like. `json`: why it is no
@@ -236,7 +232,7 @@ VectorFile open_vector_file(const InventoryFile& inventory) {
   if (out.format == "GeoJSON") out.crs = find_odd_crs(out.path);
   if (out.dataset && !is_empty_json(out)) return out;
   std::string why;
-  if (begins_as_json(start)) why = open_json(inventory, out);
+  if (begins_as_loose_json(start)) why = open_json(inventory, out);
   if (out.dataset) return out;
   throw NoTable(inventory.file.string(),
                 "is no table of lamps that can be read (GeoJSON, CSV, GeoPackage, Shapefile, "

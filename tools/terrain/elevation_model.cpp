@@ -14,6 +14,7 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "tools/gdal/guarded_gdal.h"
+#include "tools/gdal/utm_zone.h"
 #include "tools/terrain/fill_value.h"
 #include "tools/terrain/height_unit.h"
 #include "tools/terrain/raster_checks.h"
@@ -125,7 +126,7 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
 
   const auto found = find_raster_crs(*s.dataset, path, s.name, crs_without);
   const OGRSpatialReference* const crs = found ? &*found : nullptr;
-  if (crs) take_zone_off(*crs, from_pixel);
+  if (crs) from_pixel[0] = gdal::take_zone_off(from_pixel[0], crs->GetUTMZone(nullptr));
   if (!GDALInvGeoTransform(from_pixel, s.to_pixel))
     throw Error(s.name, "has a geotransform without extent: all of its pixels lie on a line");
   s.unit = find_height_unit(*s.band, crs, s.name);

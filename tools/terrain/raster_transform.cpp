@@ -1,6 +1,5 @@
 #include "tools/terrain/raster_transform.h"
 
-#include <cmath>
 #include <utility>
 
 #include "formats/error.h"
@@ -26,12 +25,6 @@ void find_raster_transform(GDALDataset& dataset, const std::string& file, double
   throw Error(file,
               "names no place on earth: it has no geotransform (gdal_translate -a_ullr <west> "
               "<north> <east> <south> -a_srs EPSG:<code> IN.tif OUT.tif gives it one)");
-}
-
-void take_zone_off(const OGRSpatialReference& crs, double (&from_pixel)[6]) {
-  constexpr double shift = 1e6;  // no easting of UTM is as large
-  const int zone = crs.GetUTMZone(nullptr);
-  if (zone > 0 && std::floor(from_pixel[0] / shift) == zone) from_pixel[0] -= zone * shift;
 }
 
 }  // namespace nightcity::terrain

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
 #include <string>
 
@@ -11,9 +10,5 @@ namespace nightcity::terrain {
 /// Gives the raster's geotransform, or else the one on which its ground control points lie, to a
 /// quarter of a pixel. Throws Error where there is none, with what helps.
 void find_raster_transform(GDALDataset& dataset, const std::string& file, double (&from_pixel)[6]);
-
-/// Takes the number of the zone from eastings in UTM that begin with it, as surveys of Germany
-/// write them: 33391020 in zone 33.
-void take_zone_off(const OGRSpatialReference& crs, double (&from_pixel)[6]);
 
 }  // namespace nightcity::terrain

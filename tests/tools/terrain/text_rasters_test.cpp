@@ -100,12 +100,11 @@ TEST(TextRasters, GridsOfJapansSurveyAreRead) {
   const auto path = folder / "FG-GML-5339-45-00-DEM5A-20161001.xml";
   write_text(
       path,
-      make_gsi("地表面,1.5\n地表面,2.\nその他,3\nデータなし,-9999.\n地表面,5.25\n地表面,6\n"));
+      make_gsi("地表面,1.5\n地表面,2.\nその他,3\n海水面,4\n地表面,5.25\n地表面,6\n"));
   const double east[] = {139.601, 139.615, 139.629};
   const double heights[] = {1.5, 2, 3, 4, 5.25, 6};
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 6; ++i)
     EXPECT_NEAR(height_of(path, {east[i % 3], i < 3 ? 35.519 : 35.501}, ""), heights[i], 1e-4) << i;
-  }
   write_text(path, make_gsi("地表面,7\n地表面,8\nデータなし,-9999.\n地表面,9\n", "2 0"));
   EXPECT_NEAR(height_of(path, {139.629, 35.519}, ""), 7, 1e-4);
   EXPECT_NEAR(height_of(path, {139.601, 35.501}, ""), 8, 1e-4);
