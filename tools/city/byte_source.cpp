@@ -20,7 +20,9 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/to_lower.h"
+#include "tools/city/inflate_source.h"
 #include "tools/city/text_encoding.h"
+#include "tools/city/unpacked_size.h"
 
 namespace nightcity::city {
 namespace {
@@ -46,26 +48,6 @@ class PlainSource : public ByteSource {
  private:
   int descriptor_;
   std::string name_;
-};
-
-// Real city models shrink to a twentieth or thirtieth; deflate can shrink blanks to a thousandth.
-class UnpackedSize {
- public:
-  UnpackedSize(std::string name, std::uint64_t packed)
-      : name_(std::move(name)), max_(std::max(max_ratio * packed, free_bytes)) {}
-
-  void add(std::size_t bytes) {
-    size_ += bytes;
-    if (size_ > max_)
-      throw Error(name_, "unpacks to more than " + std::to_string(max_ratio) +
-                             " times its size and more than " + std::to_string(free_bytes >> 20) +
-                             " MB: if that is right, unpack it yourself and name the result");
-  }
-
- private:
-  static constexpr std::uint64_t max_ratio = 200, free_bytes = std::uint64_t{1} << 30;
-  std::string name_;
-  std::uint64_t max_, size_ = 0;
 };
 
 class GzipSource : public ByteSource {
@@ -210,11 +192,18 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
     const std::string lower = to_lower(entry);
     if (first_entry.empty()) first_entry = entry;
     if (first_raster.empty() && ends_with_any(lower, raster_endings)) first_raster = entry;
-    if (ends_with_any(lower, packed_endings)) contents.packed_entries.push_back(entry);
-    if (!ends_with_any(lower, endings)) return;
-    const std::string name = path + "/" + entry;
-    contents.documents.push_back(make_document(
-        name, true, [=] { return std::make_unique<ZipSource>(archive, index, name); }));
+    // A stream is read under the name of what is in it.
+    const std::size_t gzip = lower.ends_with(".gz") ? std::string_view(".gz").size() : 0;
+    const bool is_wanted = ends_with_any(lower.substr(0, lower.size() - gzip), endings);
+    if (!is_wanted && ends_with_any(lower, packed_endings))
+      contents.packed_entries.push_back(entry);
+    if (!is_wanted) return;
+    const std::string name = path + "/" + entry.substr(0, entry.size() - gzip);
+    contents.documents.push_back(make_document(name, true, [=]() -> std::unique_ptr<ByteSource> {
+      auto source = std::make_unique<ZipSource>(archive, index, name);
+      if (gzip == 0) return source;
+      return inflate_stream(std::move(source), name, archive->packed_size(index));
+    }));
   });
   if (!contents.documents.empty()) return contents;
   if (!first_raster.empty())

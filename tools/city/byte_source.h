@@ -29,7 +29,7 @@ struct Document {
   bool packed = false;  // gzipped, or an archive's entry
   std::function<std::unique_ptr<ByteSource>()> open;
   /// Opens the same bytes as they are, whatever encoding they look like: those of a raster.
-  std::function<std::unique_ptr<ByteSource>()> open_as_it_is;
+  std::function<std::unique_ptr<ByteSource>()> open_as_it_is{};
 };
 
 /// Returns the document's first bytes, unpacked: `most` of them, or all where there are fewer.
@@ -48,7 +48,9 @@ struct FileContents {
 };
 
 /// Returns what `file` holds. Its documents are one for a plain or gzipped file, and of a zip
-/// archive one for each entry whose name ends with one of `endings` (in lower case: ".gml"). Throws
+/// archive one for each entry whose name ends with one of `endings` (in lower case: ".gml"), also
+/// where the entry is a gzip stream itself (".gml.gz"), which is then read under its name without
+/// ".gz". Throws
 /// Error when the file is missing, empty, unreadable, a folder, or an archive without such entries.
 /// The reader of a document finds out whether it is of the kind that its name says.
 FileContents list_contents(const std::filesystem::path& file,

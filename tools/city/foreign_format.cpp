@@ -244,6 +244,17 @@ std::string explain(std::string_view bytes, std::string_view name, bool wants_mo
   return "is XML of another kind: its root element is <" + std::string(written) + ">";
 }
 
+// Files without a mark at their beginning, by how their names end.
+struct NamedAs {
+  std::array<std::string_view, 6> endings;
+  std::string_view words;
+};
+constexpr std::array by_name{
+    NamedAs{{".asc", ".xyz", ".hgt", ".flt", ".bil", ".dem"},
+            "is named as a raster of heights: these belong in [terrain] dem"},
+    NamedAs{{".csv", ".tsv"},
+            "is named as a table: one of lamps belongs in [[lamps.inventories]]"}};
+
 }  // namespace
 
 std::string_view find_root_name(std::string_view start) {
@@ -265,7 +276,11 @@ std::string_view find_root_name(std::string_view start) {
 }
 
 std::string explain_foreign(std::string_view bytes, std::string_view name) {
-  return explain(bytes, name, true);
+  if (std::string found = explain(bytes, name, true); !found.empty()) return found;
+  for (const auto& [endings, words] : by_name)
+    for (const std::string_view ending : endings)
+      if (!ending.empty() && name.ends_with(ending)) return std::string(words);
+  return {};
 }
 
 std::string name_foreign(std::string_view bytes, std::string_view name) {

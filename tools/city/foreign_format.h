@@ -11,7 +11,7 @@ namespace nightcity::city {
 std::string_view find_root_name(std::string_view start);
 
 /// Returns what a file is that no reader takes, and what helps ("is a tar archive: unpack it
-/// first"); "" where its first bytes say nothing. `bytes`: of the content, unpacked, at least 512
+/// first"); "" where its first bytes say nothing, nor the ending of its name. `bytes`: of the content, unpacked, at least 512
 /// where the file has them. `name`: of the file, in lower case.
 std::string explain_foreign(std::string_view bytes, std::string_view name);
 

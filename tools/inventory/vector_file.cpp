@@ -79,9 +79,10 @@ bool is_named_as_csv(const std::string& path) {
 
 // Puts a CSV into a form that GDAL reads.
 void prepare_csv(const InventoryFile& inventory, std::string& bytes, VectorFile& out) {
-  out.encoding = find_csv_encoding(bytes, inventory);
+  constexpr std::size_t enough = 65536;  // for the headings
+  out.encoding = find_csv_encoding(std::string_view(bytes).substr(0, enough), inventory);
   if (!out.encoding.empty()) bytes = decode_csv(bytes, out.encoding, inventory.file.string());
-  const CsvHead head = find_csv_head(bytes, inventory);
+  const CsvHead head = find_csv_head(std::string_view(bytes).substr(0, enough), inventory);
   out.titles = head.above;
   if (head.above > 0) bytes.erase(0, head.begin);
   straighten_csv(bytes);

@@ -16,6 +16,7 @@
 #include "formats/error.h"
 #include "formats/file_names.h"
 #include "formats/to_lower.h"
+#include "tools/city/inflate_source.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/gsi_grid.h"
@@ -120,10 +121,18 @@ std::vector<RasterUnpacker::Entry> RasterUnpacker::list_inner_archive(const Entr
   std::vector<Entry> entries;
   for (int i = 0; i < names.Count(); ++i) {
     const std::string inside = names[i], path = root + "/" + inside;
-    const std::string name = archive.name + "/" + inside;
+    const std::string name = archive.name + "/" + without_gzip(inside);
     if (inside.ends_with('/') || is_zip(inside)) continue;
-    entries.push_back({name, archive.inside + "/" + inside,
-                       [path, name] { return std::make_unique<VirtualSource>(path, name); }});
+    entries.push_back({name, archive.inside + "/" + without_gzip(inside),
+                       [=]() -> std::unique_ptr<city::ByteSource> {
+                         auto source = std::make_unique<VirtualSource>(path, name);
+                         if (!is_gzip(inside)) return source;
+                         VSIStatBufL status;
+                         const bool is_known = VSIStatL(path.c_str(), &status) == 0;
+                         return city::inflate_stream(
+                             std::move(source), name,
+                             is_known ? static_cast<std::uint64_t>(status.st_size) : 0);
+                       }});
   }
   return entries;
 }
@@ -132,14 +141,12 @@ std::vector<RasterUnpacker::Entry> RasterUnpacker::list_inner_archive(const Entr
 std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
                                                        const city::FileContents& contents) {
   const std::vector<Entry> entries = list_entries(path, contents);
-  const auto is_raster = [](const Entry& entry) {
-    return is_raster_name(without_gzip(entry.name));
-  };
+  const auto is_raster = [](const Entry& entry) { return is_raster_name(entry.name); };
   const bool takes_texts = std::none_of(entries.begin(), entries.end(), is_raster);
   std::vector<const Entry*> rasters, passed_over;
   std::set<std::string> stems;
   for (const Entry& entry : entries) {
-    const std::string name = without_gzip(entry.name);
+    const std::string& name = entry.name;
     if (!(takes_texts ? is_named_as_text(name) : is_raster_name(name))) continue;
     (is_about_heights(name) ? passed_over : rasters).push_back(&entry);
     if (!is_about_heights(name)) stems.insert(find_stem(name));
@@ -154,11 +161,10 @@ std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
                  "(%s)\n",
                  path.c_str(), passed_over.size(), passed_over.front()->inside.c_str());
   for (const Entry& entry : entries)
-    if (!is_raster(entry) && !is_named_as_text(entry.name) &&
-        stems.contains(find_stem(without_gzip(entry.name))))
-      unpack(entry);
+    if (!is_raster(entry) && !is_named_as_text(entry.name) && stems.contains(find_stem(entry.name)))
+      copy(entry);
   std::vector<RasterFile> files;
-  for (const Entry* raster : rasters) files.push_back({unpack(*raster), raster->name, files_});
+  for (const Entry* raster : rasters) files.push_back({copy(*raster), raster->name, files_});
   return files;
 }
 
@@ -176,14 +182,6 @@ RasterFile RasterUnpacker::copy_alone(const std::filesystem::path& file,
   }
   return {copy({document.name, plain.filename().string(), document.open_as_it_is}), document.name,
           files_};
-}
-
-// GDAL reads a gzip stream from its beginning for each step back, so that it is unpacked once more.
-std::string RasterUnpacker::unpack(const Entry& entry) {
-  const std::string path = copy(entry);
-  if (!is_gzip(entry.inside)) return path;
-  return copy({entry.name, without_gzip(entry.inside),
-               [&] { return std::make_unique<VirtualSource>("/vsigzip/" + path, entry.name); }});
 }
 
 std::string RasterUnpacker::copy(const Entry& entry) {

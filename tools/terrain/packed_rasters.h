@@ -40,9 +40,7 @@ class RasterUnpacker {
   RasterFile copy_alone(const std::filesystem::path& file, const city::Document& document);
   /// Writes an elevation model of GSI as another raster.
   std::string copy_gsi_grid(const Entry& entry);
-  /// Returns the path by which GDAL finds an entry, out of its gzip stream where it is one.
-  std::string unpack(const Entry& entry);
-  /// Returns the path by which GDAL finds an entry as it is.
+  /// Returns the path by which GDAL finds an entry.
   std::string copy(const Entry& entry);
   std::string add(const std::string& inside, const std::string& name, city::ByteSource& source);
   void count(std::size_t bytes, const std::string& name);

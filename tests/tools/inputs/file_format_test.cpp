@@ -145,18 +145,46 @@ TEST(FileFormat, HiddenEntriesOfAnArchiveAreNoCities) {
       "{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{},\"vertices\":[]}";
   const TemporaryFile mixed(
       zipped("a.gml", city_text,
-             {{"b.gml.gz", gzipped(city_text)}, {"c.zip", "PK"}, {"d.json", json}}),
+             {{"b.gml.gz", gzipped(city_text)}, {"c.zip", "PK"}, {"e.7z", "7z"}, {"d.json", json}}),
       ".zip");
   std::size_t objects = 0;
   const auto report = read_city(mixed.path(), {}, [&](city::CityObject&&) { ++objects; });
-  EXPECT_EQ(objects, 1u);
+  EXPECT_EQ(objects, 2u) << "that in the gzip stream too";
   ASSERT_EQ(report.warnings.size(), 2u);
-  EXPECT_NE(report.warnings[0].find("2 packed files inside were passed over (first b.gml.gz)"),
+  EXPECT_NE(report.warnings[0].find("2 packed files inside were passed over (first c.zip)"),
             std::string::npos);
   EXPECT_NE(report.warnings[1].find("1 city models of other formats than CityGML"),
             std::string::npos);
   const std::string nested = reason_for(zipped("tiles/inner.zip", archive), ".zip");
   EXPECT_NE(nested.find("another packed file (tiles/inner.zip)"), std::string::npos) << nested;
+}
+
+TEST(FileFormat, BrokenStreamsInArchivesAreNamed) {
+  const std::string stream = gzipped(city_text);
+  const auto why = [&](const std::string& bytes) {
+    const TemporaryFile file(zipped("a.gml.gz", bytes), ".zip");
+    try {
+      read_city(file.path(), {}, [](city::CityObject&&) {});
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("was read");
+  };
+  EXPECT_EQ(why(stream), "was read");
+  for (const std::size_t size : {stream.size() / 2, stream.size() - 4})
+    EXPECT_NE(why(stream.substr(0, size)).find("/a.gml: broken gzip stream: truncated"),
+              std::string::npos)
+        << why(stream.substr(0, size));
+  EXPECT_NE(why(city_text).find("/a.gml: broken gzip stream: incorrect header check"),
+            std::string::npos)
+      << why(city_text);
+}
+
+TEST(FileFormat, FilesWithoutAMarkAreToldByTheirNames) {
+  EXPECT_NE(reason_for("1 2 3\n", ".xyz").find("[terrain] dem"), std::string::npos);
+  EXPECT_NE(reason_for("id,lon,lat\n", ".csv").find("[[lamps.inventories]]"), std::string::npos);
+  EXPECT_NE(reason_for(zipped("a/dem.tif", "II*"), ".zip").find("a/dem.tif: heights belong in"),
+            std::string::npos);
 }
 
 TEST(FileFormat, TextMayBeUtf32) {

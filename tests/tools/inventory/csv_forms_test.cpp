@@ -188,12 +188,17 @@ TEST(CsvForms, GeometriesMayBeTextsInAnyForm) {
   const char* const hex_of_4326 = "0101000020E6100000CDCCCCCCCCCC2A400000000000404A40";
   const char* const big_hex = "0000000001402ACCCCCCCCCCCD404A400000000000";
   const char* const geojson = R"("{""type"": ""Point"", ""coordinates"": [13.4, 52.5]}")";
+  const char* const feature =
+      R"("{""type"":""Feature"",""geometry"":{""type"":""Point"",""coordinates"":[13.4,52.5]}}")";
   const char* const geometries[] = {"POINT(13.4 52.5)",
                                     "Point Z (13.4 52.5 30)",
                                     "SRID=4326;POINT(13.4 52.5)",
                                     "MULTIPOINT((13.4 52.5))",
                                     hex,
                                     hex_of_4326,
+                                    "0x0101000000CDCCCCCCCCCC2A400000000000404A40",
+                                    "\\x0101000000CDCCCCCCCCCC2A400000000000404A40",
+                                    feature,
                                     big_hex,
                                     geojson};
   for (const char* heading : {"geometry", "wkt", "shape", "wkb_geometry", "geojson", "lamp place"})
@@ -207,6 +212,50 @@ TEST(CsvForms, GeometriesMayBeTextsInAnyForm) {
         ADD_FAILURE() << heading << " " << geometry << "\n" << error.what();
       }
     }
+}
+
+TEST(CsvForms, SpreadsheetsWriteFormulasAndHeadingsOfSeveralLines) {
+  const TempFolder folder;
+  for (const char* text :
+       {"id,lon,lat\n=\"007\",=\"13.4\",=\"52.5\"\n", "id;lon;lat\na;=\"13,4\";=\"52,5\"\n",
+        "\"id\",\"lon\n(deg)\",\"lat\r\n(deg)\"\na,13.4,52.5\n",
+        "Lamps\n\"id\",\"lon\n(deg)\",\"lat\n(deg)\"\n\"a\nb\",13.4,52.5\n"}) {
+    const Inventory read = read_csv(folder, "lamps.csv", text);
+    ASSERT_EQ(read.lamps.size(), 1u) << text;
+    EXPECT_EQ(read.lamps[0].lon_lat, glm::dvec2(13.4, 52.5)) << text;
+  }
+}
+
+// Lists are written as JSON has them; pairs in words have latitude first.
+TEST(CsvForms, ListsOfTwoNumbersAreReadByTheNameOfTheirColumn) {
+  const TempFolder folder;
+  for (const char* text : {"id;coordinates\na;[13.4, 52.5]\n", "id;location\na;\"[13.4,52.5]\"\n",
+                           "id;location\na;(52.5, 13.4)\n", "id;geo_point_2d\na;[52.5, 13.4]\n",
+                           "id;latlng\na;[52.5, 13.4]\n", "id;location\na;52.5, 13.4\n"}) {
+    const Inventory read = read_csv(folder, "lamps.csv", text);
+    ASSERT_EQ(read.lamps.size(), 1u) << text;
+    EXPECT_EQ(read.lamps[0].lon_lat, glm::dvec2(13.4, 52.5)) << text;
+  }
+}
+
+// 391020, 5819010 of EPSG:25833.
+TEST(CsvForms, EastingsMayBeginWithTheirZone) {
+  const TempFolder folder;
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  for (const auto& [east, crs] : {std::pair{"391020", "EPSG:25833"},
+                                  {"33391020", "EPSG:25833"},
+                                  {"33391020", "EPSG:5650"},
+                                  {"33391020", "EPSG:32633"}}) {
+    write_text(file.file, std::string("id;x;y\na;") + east + ";5819010\n");
+    file.crs = crs;
+    const Inventory read = read_inventory(file);
+    EXPECT_NEAR(read.lamps.at(0).lon_lat.x, 13.394162598, 1e-7) << east << crs;
+    EXPECT_NEAR(read.lamps.at(0).lon_lat.y, 52.510303463, 1e-7) << east << crs;
+  }
+  write_text(file.file, "id;x;y\na;32391020;5819010\n");
+  file.crs = "EPSG:25833";
+  EXPECT_THROW(read_inventory(file), Error) << "of another zone";
 }
 
 }  // namespace

@@ -154,6 +154,33 @@ TEST(JsonTable, ObjectsThatAreNoTableAreNone) {
     EXPECT_NE(why_no_json(text).find("no table of lamps"), std::string::npos) << why_no_json(text);
 }
 
+// What Python, scripts and people write for JSON.
+TEST(JsonTable, TextsThatAreAlmostJsonAreRead) {
+  const std::string a = R"({"lat":52.5,"lon":13.4,"h":NaN})", b = R"({"lat":52.51,"lon":13.41})";
+  expect_two("[" + a + "," + b + "]");
+  expect_two("[" + a + ",\n" + b + ",\n]");
+  expect_two(a + "\n" + b + "\n");
+  expect_two("{\"lat\":52.5,\n\"lon\":13.4}\n{\"lat\":52.51,\n\"lon\":13.41}\n");
+  expect_two("// lamps, {2024}\n[" + a + ", /* the \"other\" */ " + b + "]");
+  expect_two("callback([" + a + "," + b + "]);");
+  expect_two("var lamps = [" + a + "," + b + "];\n");
+  expect_two(R"([{"lat":52.5,"lon":13.4,"id":99999999999999999999999,"url":"http://a/,]"},)" + b +
+             "]");
+  expect_two(R"([{"lat":52.5,"lon":13.4,"a":-Infinity,"b":undefined,"c":[1,],"d":"NaN, // \"x"},)" +
+             b + "]");
+}
+
+TEST(JsonTable, WhatStaysBrokenIsSaidToBe) {
+  for (const char* text : {R"([{"lat":52.5,"lon":13.4})", R"([{"lat":52.5 "lon":13.4}])",
+                           R"([{"lat":52.5,"lon":}])", "[{\"lat\":52.5,\"lon\":\"13.4}]"})
+    EXPECT_NE(why_no_json(text).find("broken JSON"), std::string::npos) << why_no_json(text);
+}
+
+TEST(JsonTable, ASingleObjectWithAPlaceIsARow) {
+  EXPECT_EQ(read_json_file(R"({"id":7,"lat":52.5,"lon":13.4})").lamps.size(), 1u);
+  EXPECT_NE(why_no_json(R"({"id":7,"name":"x"})").find("no list of objects"), std::string::npos);
+}
+
 TEST(JsonTable, FeaturesMayBeAListOfTheirOwn) {
   const std::string a = R"({"type":"Feature","properties":{},
                "geometry":{"type":"Point","coordinates":[13.4,52.5]}})",

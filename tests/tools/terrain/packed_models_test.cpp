@@ -228,7 +228,7 @@ TEST(PackedModels, WhatIsNotReadIsNamed) {
   expect({{"readme.txt", "hello"}}, "readme.txt: is no raster of heights");
   expect({{"dem.tif", "hello"}, {"b.asc", make_grid(1)}}, "dem.tif: is no raster of heights");
   expect({{"dem.asc", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>"}}, "format VRT");
-  expect({{"a.xyz.gz", "\x1f\x8b\x08 broken"}}, "a.xyz.gz: ");
+  expect({{"a.xyz.gz", "\x1f\x8b\x08 broken"}}, "a.xyz: broken gzip stream");
   expect({{"x_num.tif", make_tiff(1)}}, "holds no elevation model");
   std::string cut = read_text(path);
   cut.resize(cut.size() / 2);

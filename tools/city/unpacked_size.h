@@ -1,0 +1,35 @@
+// A limit for what a small file unpacks to.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "formats/error.h"
+
+namespace nightcity::city {
+
+/// Real city models shrink to a twentieth or thirtieth; deflate can shrink blanks to a
+/// thousandth. `add` throws Error beyond 200 times the packed size and 1 GB.
+class UnpackedSize {
+ public:
+  UnpackedSize(std::string name, std::uint64_t packed)
+      : name_(std::move(name)), max_(std::max(max_ratio * packed, free_bytes)) {}
+
+  void add(std::size_t bytes) {
+    size_ += bytes;
+    if (size_ > max_)
+      throw Error(name_, "unpacks to more than " + std::to_string(max_ratio) +
+                             " times its size and more than " + std::to_string(free_bytes >> 20) +
+                             " MB: if that is right, unpack it yourself and name the result");
+  }
+
+ private:
+  static constexpr std::uint64_t max_ratio = 200, free_bytes = std::uint64_t{1} << 30;
+  std::string name_;
+  std::uint64_t max_, size_ = 0;
+};
+
+}  // namespace nightcity::city
