@@ -11,7 +11,7 @@
 namespace nightcity::inventory {
 namespace {
 
-constexpr std::size_t most_lines = 100;
+constexpr std::size_t most_lines = 100, most_cells = 2000;  // as many as GDAL reads
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 // Returns the next line, whose cells in quotation marks may hold ends of lines.
@@ -86,7 +86,7 @@ CsvHead find_csv_head(std::string_view text, const InventoryFile& inventory) {
     if (city::trim(line).empty() || to_lower(line.substr(0, 4)) == "sep=") continue;
     for (const char separator : {',', ';', '\t', '|'}) {
       const std::vector<std::string> cells = split(line, separator);
-      if (!names_places(cells, inventory)) continue;
+      if (cells.size() > most_cells || !names_places(cells, inventory)) continue;
       const bool are_titles = std::all_of(
           before.begin(), before.end(),
           [&](std::string_view above) { return is_title(split(above, separator), cells); });

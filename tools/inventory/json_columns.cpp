@@ -98,9 +98,15 @@ std::string write_columns(const Columns& table, std::size_t rows, const std::str
 std::string turn_objects(const object& table, const std::string& file) {
   Columns found;
   std::unordered_map<std::string, std::size_t> numbers;
+  std::size_t cells_there_are = 0;
   for (const auto& [name, value] : table)
-    for (const std::string& row : list_names(to_object(value)))
+    for (const std::string& row : list_names(to_object(value))) {
+      ++cells_there_are;
       if (numbers.try_emplace(row, found.rows.size()).second) found.rows.push_back(row);
+    }
+  // Columns that have no rows in common are no table, and would be a large one.
+  constexpr std::size_t most_empty = 10, few = 10'000;
+  if (table.size() * found.rows.size() > most_empty * cells_there_are + few) return {};
   for (const auto& [name, value] : table) {
     found.names.emplace_back(name);
     auto& cells = found.columns.emplace_back(found.rows.size());

@@ -127,17 +127,25 @@ void drop_formulas(std::string& text) {
   text = std::move(out);
 }
 
-// Returns where a line ends within quotation marks of the headings, which GDAL reads by lines; npos
-// without.
-std::size_t find_quoted_line_end(std::string_view text) {
+constexpr std::size_t most_of_headings = 65536;  // bytes; a mark may be without its other one
+
+// Calls `use` with each place where a line ends within quotation marks of the headings, which GDAL
+// reads by lines.
+template <class Use>
+void visit_quoted_line_ends(std::string_view text, const Use& use) {
   bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(text.size(), most_of_headings); ++i) {
     if (text[i] == '"') quoted = !quoted;
     if (text[i] != '\n' && text[i] != '\r') continue;
-    if (!quoted) return text.npos;
-    return i;
+    if (!quoted) return;
+    use(i);
   }
-  return text.npos;
+}
+
+bool has_quoted_line_end(std::string_view text) {
+  bool has_one = false;
+  visit_quoted_line_ends(text, [&](std::size_t) { has_one = true; });
+  return has_one;
 }
 
 }  // namespace
@@ -147,7 +155,7 @@ bool is_odd_csv(std::string_view start) {
   return begins_with_separator(start) || begins_with_comment(start) || has_bars(start) ||
          begins_with_blank_line(start) || has_one_column(start) ||
          find_seconds(start, 0, quoted) != start.npos || find_formula(start, 0) != start.npos ||
-         find_quoted_line_end(start) != start.npos;
+         has_quoted_line_end(start);
 }
 
 void straighten_csv(std::string& text) {
@@ -155,7 +163,7 @@ void straighten_csv(std::string& text) {
   if (begins_with_separator(text)) text.erase(0, text.find_first_of("\r\n"));
   while (begins_with_comment(text)) text.erase(0, text.find('\n') + 1);
   while (begins_with_blank_line(text)) text.erase(0, text.find_first_of("\r\n") + 1);
-  for (std::size_t at; (at = find_quoted_line_end(text)) != text.npos;) text[at] = ' ';
+  visit_quoted_line_ends(text, [&](std::size_t at) { text[at] = ' '; });
   drop_formulas(text);
   replace_seconds(text);
   if (has_bars(text)) replace_bars(text);

@@ -18,6 +18,7 @@
 #include "formats/to_lower.h"
 #include "tools/city/inflate_source.h"
 #include "tools/city/text_encoding.h"
+#include "tools/city/unpacked_size.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/gsi_grid.h"
 #include "tools/terrain/raster_names.h"
@@ -47,8 +48,11 @@ std::string find_stem(std::string_view name) {
 // A file that GDAL finds, read once from its beginning to its end.
 class VirtualSource : public city::ByteSource {
  public:
-  VirtualSource(const std::string& path, std::string name)
-      : name_(std::move(name)), file_(VSIFOpenL(path.c_str(), "rb"), VSIFCloseL) {
+  /// `packed`: the bytes of the archive that it comes from.
+  VirtualSource(const std::string& path, std::string name, std::uint64_t packed)
+      : name_(std::move(name)),
+        unpacked_(name_, packed),
+        file_(VSIFOpenL(path.c_str(), "rb"), VSIFCloseL) {
     if (!file_) throw Error(name_, "cannot be unpacked: " + gdal::find_reason());
   }
   std::size_t read(char* out, std::size_t size) override {
@@ -56,11 +60,13 @@ class VirtualSource : public city::ByteSource {
     const std::size_t got = VSIFReadL(out, 1, size, file_.get());
     if (got < size && CPLGetLastErrorType() == CE_Failure)
       throw Error(name_, "cannot be unpacked: " + gdal::find_reason());
+    unpacked_.add(got);
     return got;
   }
 
  private:
   std::string name_;
+  city::UnpackedSize unpacked_;
   std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> file_;
 };
 
@@ -115,23 +121,24 @@ std::vector<RasterUnpacker::Entry> RasterUnpacker::list_entries(
 
 // GDAL reads such an archive, whose name is ours.
 std::vector<RasterUnpacker::Entry> RasterUnpacker::list_inner_archive(const Entry& archive) {
-  const std::string root = "/vsizip/{" + copy(archive) + "}";
+  const std::string packed = copy(archive), root = "/vsizip/{" + packed + "}";
+  VSIStatBufL status;
+  const std::uint64_t size =
+      VSIStatL(packed.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
   const CPLStringList names(VSIReadDirRecursive(root.c_str()), TRUE);
   if (names.empty()) throw Error(archive.name, "broken zip archive: damaged or empty");
   std::vector<Entry> entries;
   for (int i = 0; i < names.Count(); ++i) {
     const std::string inside = names[i], path = root + "/" + inside;
     const std::string name = archive.name + "/" + without_gzip(inside);
-    if (inside.ends_with('/') || is_zip(inside)) continue;
+    const bool is_hidden = inside.starts_with("__MACOSX/") || inside.starts_with('.') ||
+                           inside.find("/.") != std::string::npos;
+    if (inside.ends_with('/') || is_zip(inside) || is_hidden) continue;
     entries.push_back({name, archive.inside + "/" + without_gzip(inside),
                        [=]() -> std::unique_ptr<city::ByteSource> {
-                         auto source = std::make_unique<VirtualSource>(path, name);
+                         auto source = std::make_unique<VirtualSource>(path, name, size);
                          if (!is_gzip(inside)) return source;
-                         VSIStatBufL status;
-                         const bool is_known = VSIStatL(path.c_str(), &status) == 0;
-                         return city::inflate_stream(
-                             std::move(source), name,
-                             is_known ? static_cast<std::uint64_t>(status.st_size) : 0);
+                         return city::inflate_stream(std::move(source), name, size);
                        }});
   }
   return entries;

@@ -145,7 +145,8 @@ TEST(PackedModels, RastersLieInArchivesWithWhatBelongsToThem) {
 // As Britain's OS Terrain 50 comes: a small archive for each tile in a large one.
 TEST(PackedModels, ArchivesLieInArchives) {
   const TempFolder folder;
-  pack_zip(folder / "tile.zip", {{"TQ38.asc", make_grid(37.5)}, {"TQ38.prj", make_prj()}});
+  pack_zip(folder / "tile.zip",
+           {{"TQ38.asc", make_grid(37.5)}, {"TQ38.prj", make_prj()}, {"__MACOSX/._TQ38.asc", "x"}});
   pack_zip(folder / "deep.zip", {{"a.zip", read_text(folder / "tile.zip")}});
   pack_zip(folder / "all.zip", {{"data/tq/tq38.zip", read_text(folder / "tile.zip")},
                                 {"data/deep.zip", read_text(folder / "deep.zip")},

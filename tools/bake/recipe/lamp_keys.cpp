@@ -166,7 +166,8 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
       "the lamp, as for lamps of the map.",
       {{"file", "path", "", "", "", "\"lamps.geojson\"",
         "GeoJSON, CSV, GeoPackage, Shapefile, FlatGeobuf, or rows in JSON as servers answer; "
-        "plain, or as the only table in a .zip or .gz. Required.",
+        "plain, or as the only table in a .zip or .gz. The headings of a CSV are the first that "
+        "name places, also below titles. Required.",
         [&row, folder](const Value& value) {
           row.file = (folder / value.text()).lexically_normal();
         }},

@@ -63,7 +63,8 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
            "dem", terrain.elevation_models, folder, {.expand = terrain::list_raster_files},
            R"(["heights.tif", "tiles.zip"])",
            "Digital elevation models in a raster format that GDAL reads, except those "
-           "that lead to other files or the network (VRT, WMS). A folder stands for the rasters "
+           "that lead to other files or the network (VRT, WMS), and in GSI's of Japan "
+           "(FG-GML-...-DEM...xml). A folder stands for the rasters "
            "in it and in the folders inside it, a .zip for those in it with their .tfw, .prj or "
            ".hdr (a text in it is one where nothing else is), and a .gz is unpacked. Rasters that "
            "come beside heights and say how good they are (`_HEM`, `_num`, ...) are passed over, "
