@@ -143,7 +143,7 @@ std::size_t find_invalid(std::string_view text) {
   return sound;
 }
 
-// What the beginning of a text is where it is read as UTF-16 in one order of bytes.
+// Tells of the beginning of a text that is read as UTF-16 in one order of bytes.
 struct WideReading {
   bool is_sound = true;  // no control characters, no halves of pairs alone
   std::size_t units = 0;

@@ -14,8 +14,8 @@ namespace nightcity::elevation {
 
 class DemRaster {
  public:
-  /// Opens the first bands of the rasters in a file, an archive or a folder, metres. Throws Error as
-  /// open_elevation_models does, and where one has no CRS.
+  /// Opens the first bands of the rasters in a file, an archive or a folder, metres. Throws Error
+  /// as open_elevation_models does, and where one has no CRS.
   explicit DemRaster(const std::filesystem::path& file,
                      const terrain::ElevationOptions& options = {});
 

@@ -5,9 +5,9 @@
 
 namespace nightcity::gdal {
 
-/// Registers GDAL's drivers once, lets it find unpacked files (scratch_files.h), and puts refusals in
-/// the place of the file systems by which GDAL reads from the network: overviews and masks can be
-/// named there too.
+/// Registers GDAL's drivers once, lets it find unpacked files (scratch_files.h), and puts refusals
+/// in the place of the file systems by which GDAL reads from the network: overviews and masks can
+/// be named there too.
 void register_drivers();
 
 /// Keeps GDAL from printing its errors, since ours carry its last message, and this thread's GDAL

@@ -20,13 +20,13 @@ struct CoordinateColumns {
 CoordinateColumns find_coordinate_columns(OGRFeatureDefn& columns);
 CoordinateColumns find_coordinate_columns(const std::vector<std::string>& names);
 
-/// Returns whether a column of this name holds latitude and longitude in one text ("48.85, 2.35"), as
-/// portals name it.
+/// Returns whether a column of this name holds latitude and longitude in one text ("48.85, 2.35"),
+/// as portals name it.
 bool is_name_of_points(std::string_view name);
 
 /// Returns whether a list of two numbers in a column of this name has latitude first, as in
-/// OpenDataSoft's geo_point_2d and what is named "latlng". In others it is longitude, as in GeoJSON,
-/// MongoDB and Elasticsearch.
+/// OpenDataSoft's geo_point_2d and what is named "latlng". In others it is longitude, as in
+/// GeoJSON, MongoDB and Elasticsearch.
 bool puts_latitude_first(std::string_view name);
 
 /// Returns whether some of these names are those of columns with places: one pair's, a whole

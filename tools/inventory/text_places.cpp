@@ -52,8 +52,8 @@ std::pair<int, std::string_view> split_srid(std::string_view text) {
   return {srid, city::trim(rest.substr(1))};
 }
 
-// The head of a geometry in binary, written in hexadecimal digits: the order of bytes, the kind, and
-// in PostGIS' form the number of the CRS, of which GDAL reads the places alone.
+// The head of a geometry in binary, written in hexadecimal digits: the order of bytes, the kind,
+// and in PostGIS' form the number of the CRS, of which GDAL reads the places alone.
 struct BinaryHead {
   std::uint32_t kind = 0;  // 1: a point; 0: the text is no such
   int srid = 0;            // 0: it names none

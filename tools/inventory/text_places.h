@@ -31,9 +31,9 @@ class TextPlaces {
   /// Returns whether one of the first 100 rows has numbers there whose digits stand in groups.
   bool begins_with_groups() const { return begins_with_groups_; }
 
-  /// Returns the geometry of a row by its text in a form that GDAL does not take: EWKT, a feature of
-  /// GeoJSON, WKB behind "\x" or "0x"; null without. Throws Error where it names another CRS than
-  /// the first.
+  /// Returns the geometry of a row by its text in a form that GDAL does not take: EWKT, a feature
+  /// of GeoJSON, WKB behind "\x" or "0x"; null without. Throws Error where it names another CRS
+  /// than the first.
   OGRGeometryUniquePtr read_geometry(const OGRFeature& row) const;
   /// Returns longitude and latitude of a row by two columns with angles.
   std::optional<glm::dvec2> read_lon_lat(const OGRFeature& row) const;

@@ -17,9 +17,9 @@ struct ElevationOptions {
 };
 
 /// Opens rasters of heights: of a .zip all that are in it, with what belongs to them (.tfw, .prj,
-/// .hdr, ...), of a .gz the one. They are unpacked into the temporary folder. Those that are clearly
-/// finer come before others, else they have the order of the files. What an archive holds beside is
-/// passed over, with a note on stderr where it might have been heights. Throws Error as
+/// .hdr, ...), of a .gz the one. They are unpacked into the temporary folder. Those that are
+/// clearly finer come before others, else they have the order of the files. What an archive holds
+/// beside is passed over, with a note on stderr where it might have been heights. Throws Error as
 /// ElevationModel does; where an archive holds no raster, is broken or encrypted; where one unpacks
 /// to more than its size allows, or all to more than `max_unpacked_mb`.
 std::vector<ElevationModel> open_elevation_models(const std::vector<std::filesystem::path>& files,

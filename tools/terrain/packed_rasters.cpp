@@ -178,7 +178,7 @@ std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
 RasterFile RasterUnpacker::copy_alone(const std::filesystem::path& file,
                                       const city::Document& document) {
   const std::filesystem::path plain = document.packed ? without_gzip(file.string()) : file.string();
-  // Of what may lie beside, plain itself.
+  // These may lie beside, and are plain themselves.
   for (const char* ending : {".prj", ".PRJ", ".hdr", ".HDR", ".tfw", ".TFW"}) {
     std::filesystem::path beside = plain;
     beside.replace_extension(ending);

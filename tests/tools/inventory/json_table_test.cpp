@@ -6,6 +6,7 @@
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
+#include "tests/tools/inventory/json_file.h"
 #include "tools/inventory/look_at_table.h"
 #include "tools/inventory/read_inventory.h"
 
@@ -14,43 +15,6 @@ namespace {
 
 using test::TempFolder;
 using test::write_text;
-
-Inventory read_json_file(const std::string& text, const std::string& crs = "EPSG:4326",
-                         const std::string& name = "lamps.json") {
-  const TempFolder folder;
-  write_text(folder / name, text);
-  InventoryFile file;
-  file.file = folder / name;
-  file.crs = crs;
-  return read_inventory(file);
-}
-
-// Expects lamps at 13.4 E, 52.5 N and 13.41 E, 52.51 N.
-void expect_two(const std::string& text, const std::string& crs = "EPSG:4326") {
-  try {
-    const Inventory read = read_json_file(text, crs);
-    ASSERT_EQ(read.lamps.size(), 2u) << text;
-    EXPECT_NEAR(read.lamps[0].lon_lat.x, 13.4, 1e-9) << text;
-    EXPECT_NEAR(read.lamps[0].lon_lat.y, 52.5, 1e-9) << text;
-    EXPECT_NEAR(read.lamps[1].lon_lat.x, 13.41, 1e-9) << text;
-    EXPECT_NEAR(read.lamps[1].lon_lat.y, 52.51, 1e-9) << text;
-    EXPECT_EQ(read.report.format, "JSON") << text;
-    EXPECT_EQ(read.report.incomplete, "") << text;
-  } catch (const Error& error) {
-    ADD_FAILURE() << text << "\n" << error.what();
-  }
-}
-
-std::string why_no_json(const std::string& text, const std::string& crs = "EPSG:4326") {
-  try {
-    read_json_file(text, crs);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "was read";
-}
-
-constexpr const char* two_rows = R"([{"lat":52.5,"lon":13.4},{"lat":"52.51","lon":"13.41"}])";
 
 TEST(JsonTable, AListOfObjectsIsATable) {
   expect_two(two_rows);
@@ -120,65 +84,6 @@ TEST(JsonTable, RowsAreFoundInWhatWrapsThem) {
 }
 })");
   expect_two(R"({"fields":[{"id":"lat"},{"id":"lon"}],"records":[[52.5,13.4],[52.51,13.41]]})");
-}
-
-// The six orientations of pandas' to_json but for "values", which names no columns.
-TEST(JsonTable, TablesMayLieByColumnsOrByTheNamesOfRows) {
-  expect_two(R"({"id":{"0":"a","1":"b"},"lon":{"0":13.4,"1":13.41},"lat":{"0":52.5,"1":52.51}})");
-  expect_two(R"({"0":{"lon":13.4,"lat":52.5},"1":{"lon":13.41,"lat":52.51}})");
-  expect_two(R"({"columns":["lon","lat"],"index":[0,1],"data":[[13.4,52.5],[13.41,52.51]]})");
-  expect_two(R"({"schema":{"fields":[{"name":"index","type":"integer"},{"name":"lon"},
-                 {"name":"lat"}],"primaryKey":["index"],"pandas_version":"1.4.0"},
-                 "data":[{"index":0,"lon":13.4,"lat":52.5},{"index":1,"lon":13.41,"lat":52.51}]})");
-  expect_two(R"({"lon":[13.4,13.41],"lat":[52.5,52.51],"note":["a \"b\"",null]})");
-  expect_two(R"({"status":"ok","data":{"lon":[13.4,13.41],"lat":[52.5,52.51]}})");
-  // Firebase's, under their ids and in a member; and rows that columns name in different order.
-  expect_two(R"({"lamps":{"-Ma":{"lat":52.5,"lng":13.4},"-Mb":{"lat":52.51,"lng":13.41}}})");
-  expect_two(R"({"lat":{"a":52.5,"b":52.51},"lon":{"b":13.41,"a":13.4}})");
-  expect_two(R"({"7":{"geometry":{"type":"Point","coordinates":[13.4,52.5]}},
-                 "9":{"geometry":{"type":"Point","coordinates":[13.41,52.51]}}})",
-             "");
-}
-
-TEST(JsonTable, NamesOfRowsAreAColumn) {
-  const TempFolder folder;
-  write_text(folder / "lamps.json", R"({"L-7":{"lon":13.4,"lat":52.5,"watt":60}})");
-  const TableLook look = look_at_table(folder / "lamps.json");
-  EXPECT_EQ(look.columns, (std::vector<std::string>{"index", "lon", "lat", "watt"}));
-}
-
-TEST(JsonTable, ObjectsThatAreNoTableAreNone) {
-  for (const char* text :
-       {R"({"meta":{"name":"x"},"about":{"name":"y"}})", R"({"lon":[13.4,13.41],"lat":[52.5]})",
-        R"({"type":"CityJSON","CityObjects":{"a":{"type":"Building","geometry":[]}}})"})
-    EXPECT_NE(why_no_json(text).find("no table of lamps"), std::string::npos) << why_no_json(text);
-}
-
-// What Python, scripts and people write for JSON.
-TEST(JsonTable, TextsThatAreAlmostJsonAreRead) {
-  const std::string a = R"({"lat":52.5,"lon":13.4,"h":NaN})", b = R"({"lat":52.51,"lon":13.41})";
-  expect_two("[" + a + "," + b + "]");
-  expect_two("[" + a + ",\n" + b + ",\n]");
-  expect_two(a + "\n" + b + "\n");
-  expect_two("{\"lat\":52.5,\n\"lon\":13.4}\n{\"lat\":52.51,\n\"lon\":13.41}\n");
-  expect_two("// lamps, {2024}\n[" + a + ", /* the \"other\" */ " + b + "]");
-  expect_two("callback([" + a + "," + b + "]);");
-  expect_two("var lamps = [" + a + "," + b + "];\n");
-  expect_two(R"([{"lat":52.5,"lon":13.4,"id":99999999999999999999999,"url":"http://a/,]"},)" + b +
-             "]");
-  expect_two(R"([{"lat":52.5,"lon":13.4,"a":-Infinity,"b":undefined,"c":[1,],"d":"NaN, // \"x"},)" +
-             b + "]");
-}
-
-TEST(JsonTable, WhatStaysBrokenIsSaidToBe) {
-  for (const char* text : {R"([{"lat":52.5,"lon":13.4})", R"([{"lat":52.5 "lon":13.4}])",
-                           R"([{"lat":52.5,"lon":}])", "[{\"lat\":52.5,\"lon\":\"13.4}]"})
-    EXPECT_NE(why_no_json(text).find("broken JSON"), std::string::npos) << why_no_json(text);
-}
-
-TEST(JsonTable, ASingleObjectWithAPlaceIsARow) {
-  EXPECT_EQ(read_json_file(R"({"id":7,"lat":52.5,"lon":13.4})").lamps.size(), 1u);
-  EXPECT_NE(why_no_json(R"({"id":7,"name":"x"})").find("no list of objects"), std::string::npos);
 }
 
 TEST(JsonTable, FeaturesMayBeAListOfTheirOwn) {

@@ -98,9 +98,7 @@ std::string make_gsi(const std::string& heights, const char* start = "0 0") {
 TEST(TextRasters, GridsOfJapansSurveyAreRead) {
   const TempFolder folder;
   const auto path = folder / "FG-GML-5339-45-00-DEM5A-20161001.xml";
-  write_text(
-      path,
-      make_gsi("地表面,1.5\n地表面,2.\nその他,3\n海水面,4\n地表面,5.25\n地表面,6\n"));
+  write_text(path, make_gsi("地表面,1.5\n地表面,2.\nその他,3\n海水面,4\n地表面,5.25\n地表面,6\n"));
   const double east[] = {139.601, 139.615, 139.629};
   const double heights[] = {1.5, 2, 3, 4, 5.25, 6};
   for (int i = 0; i < 6; ++i)

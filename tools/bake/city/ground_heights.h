@@ -16,9 +16,9 @@ namespace nightcity::bake {
 
 class GroundHeights {
  public:
-  /// Opens the models. `city` must outlive the object. Throws Error as open_elevation_models
-  /// does, and where a model names a CRS and the city names none, or none and the city is a map, which has a
-  /// frame of its own.
+  /// Opens the models. `city` must outlive the object. Throws Error as open_elevation_models does,
+  /// and where a model names a CRS and the city names none, or none and the city is a map, which
+  /// has a frame of its own.
   GroundHeights(const GroundOptions& options, const georeference::CityFrame& city);
 
   std::size_t count() const { return models_.size(); }

@@ -10,8 +10,9 @@
 namespace nightcity::bake {
 
 struct GroundOptions {
-  /// Elevation models (any raster that GDAL reads, also in archives) for a city without relief of its own. The finest
-  /// that has a height at a place decides it, of about equally fine ones the first.
+  /// Elevation models (any raster that GDAL reads, also in archives) for a city without relief of
+  /// its own. The finest that has a height at a place decides it, of about equally fine ones the
+  /// first.
   std::vector<std::filesystem::path> elevation_models;
   std::string elevation_crs;  // of those that name none; "": the city's
   /// The city's objects stand on the elevation models already: these are not moved to meet them.
