@@ -46,7 +46,7 @@ constexpr const char* feature_attribute = "_FEATURE_ID_0";
 // This attribute of vertices and instances is an index into city.lights.
 constexpr const char* light_attribute = "_LIGHT";
 constexpr const char* extras_key = "nightcity";
-constexpr const char* scene_version = "1.2";
+constexpr const char* scene_version = "1.3";
 
 // Ids are stored as floats, which are exact for whole numbers up to 2^24. But Draco's quantiser
 // adds 0.5 before it rounds down, and floats hold halves only up to 2^23.
