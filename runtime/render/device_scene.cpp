@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 #include "formats/error.h"
 #include "formats/parallel.h"
@@ -20,7 +21,9 @@ void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
   const auto bytes_of = [](const auto& values) {
     return std::uint64_t{values.size()} * sizeof values[0];
   };
-  const std::uint64_t needed = bytes_of(scene.triangles) + bytes_of(scene.nodes) +
+  const std::uint64_t triangles =
+      device.trace() == gpu::Trace::compute ? scene.triangle_order.size() : scene.triangles.size();
+  const std::uint64_t needed = triangles * sizeof(gpu::Triangle) + bytes_of(scene.nodes) +
                                bytes_of(scene.instances) + bytes_of(scene.lights) +
                                scene.lights.size() * sizeof(gpu::AliasEntry) +
                                bytes_of(scene.texels),
@@ -37,21 +40,31 @@ void free_memory_of(List& values) {
   values = List();
 }
 
-// Uploads the triangles in the order of the leaves. Pages of the file that they are read from are
-// given back whenever that many triangles were read.
+// Returns the numbers of the triangles as the device has them: in the order of the leaves, where one
+// that is cut comes several times, or each once (`once`) for the device's own structures.
+std::span<const std::uint32_t> order_triangles(const gpu::Device& device,
+                                               const scene::RenderScene& scene,
+                                               LargeVector<std::uint32_t>& once) {
+  if (device.trace() == gpu::Trace::compute) return scene.triangle_order;
+  once.resize(scene.triangles.size());
+  std::iota(once.begin(), once.end(), 0u);
+  return once;
+}
+
+// Uploads triangles by their numbers. Pages of the file that they are read from are given back
+// whenever that many triangles were read.
 constexpr std::size_t resident_triangles = 1 << 18;
-gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scene) {
-  gpu::Buffer buffer(device, scene.triangle_order.size() * sizeof(gpu::Triangle));
+gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scene,
+                             std::span<const std::uint32_t> order) {
+  gpu::Buffer buffer(device, order.size() * sizeof(gpu::Triangle));
   std::atomic<std::size_t> read = 0;
   buffer.make_first<gpu::Triangle>(
-      scene.triangle_order.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
+      order.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
         constexpr std::size_t piece = 1 << 14;
         run_parallel((to.size() + piece - 1) / piece, count_cores(), [&](std::size_t i) {
           const std::size_t begin = i * piece, count = std::min(piece, to.size() - begin);
           touch_pages(to.subspan(begin, count));
-          scene.triangles.gather(
-              std::span<const std::uint32_t>(scene.triangle_order).subspan(first + begin, count),
-              to.subspan(begin, count));
+          scene.triangles.gather(order.subspan(first + begin, count), to.subspan(begin, count));
           if ((read += piece) % resident_triangles == 0) scene.triangles.release_pages();
         });
       });
@@ -126,18 +139,22 @@ void DeviceScene::store_textures(const scene::RenderScene& scene) {
   for (std::size_t i = 0; i < linear.size(); ++i)
     linear[i] = static_cast<float>(linear_from_srgb(double(i) / COLOUR_STEPS));
   addresses_.linear_of_step = store(std::span<const float>(linear));
-  gpu::Buffer corners(device_, scene.triangle_order.size() * sizeof(gpu::TextureCorners));
+  LargeVector<std::uint32_t> once;
+  const auto order = order_triangles(device_, scene, once);
+  gpu::Buffer corners(device_, order.size() * sizeof(gpu::TextureCorners));
   corners.make_first<gpu::TextureCorners>(
-      scene.triangle_order.size(), [&](std::span<gpu::TextureCorners> to, std::size_t first) {
+      order.size(), [&](std::span<gpu::TextureCorners> to, std::size_t first) {
         for (std::size_t i = 0; i < to.size(); ++i)
-          to[i] = scene.triangles.texture_corners(scene.triangle_order[first + i]);
+          to[i] = scene.triangles.texture_corners(order[first + i]);
       });
   storage_.push_back(std::move(corners));
   addresses_.texture_corners = storage_.back().address();
 }
 
 void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {
-  storage_.push_back(upload_triangles(device_, scene));
+  LargeVector<std::uint32_t> once;
+  storage_.push_back(upload_triangles(device_, scene, order_triangles(device_, scene, once)));
+  once = {};
   addresses_.triangles = storage_.back().address();
   if (released) {
     free_memory_of(released->triangles);
@@ -155,7 +172,7 @@ void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderS
     with_triangles = scene.instances;
     instances = with_triangles;
     for (gpu::Instance& instance : with_triangles)
-      instance.root = tlas_->first_position(instance.root);
+      instance.root = tlas_->first_triangle(instance.root);
     addresses_.tlas = to_words(tlas_->top_level(0).address());
   }
   if (scene.traffic.trips.empty()) {
@@ -177,7 +194,7 @@ void DeviceScene::store_traffic(const scene::RenderScene& scene,
   to.vehicles = store(std::span(traffic.vehicles));
   std::vector<gpu::VehicleBody> bodies = traffic.bodies;
   if (tlas_) {
-    for (gpu::VehicleBody& body : bodies) body.root = tlas_->first_position(body.root);
+    for (gpu::VehicleBody& body : bodies) body.root = tlas_->first_triangle(body.root);
     to.body_blas = tlas_->body_blas();
     to.has_tlas = 1;
   }

@@ -38,10 +38,10 @@ SceneTlas::SceneTlas(gpu::Device& device, const scene::RenderScene& scene, std::
   for (const scene::Mesh& mesh : scene.meshes)
     meshes_.insert_or_assign(
         mesh.root,
-        Placed{mesh.first_position,
+        Placed{mesh.first_triangle,
                gpu::AccelerationStructure::of_triangles(
-                   device, triangles + std::uint64_t{mesh.first_position} * sizeof(gpu::Triangle),
-                   mesh.positions)});
+                   device, triangles + std::uint64_t{mesh.first_triangle} * sizeof(gpu::Triangle),
+                   mesh.triangles)});
 
   records_.resize(placed);
   static_records_ = static_cast<std::uint32_t>(scene.instances.size());
@@ -72,9 +72,9 @@ const SceneTlas::TopLevel& SceneTlas::top_level(std::uint32_t slot) {
   return top_levels_.try_emplace(slot, device_, records_, static_records_).first->second;
 }
 
-std::uint32_t SceneTlas::first_position(std::uint32_t root) const {
+std::uint32_t SceneTlas::first_triangle(std::uint32_t root) const {
   const auto mesh = meshes_.find(root);
-  return mesh == meshes_.end() ? 0 : mesh->second.first_position;
+  return mesh == meshes_.end() ? 0 : mesh->second.first_triangle;
 }
 
 std::uint64_t SceneTlas::bytes() const {

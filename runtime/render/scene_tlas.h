@@ -23,7 +23,7 @@ class SceneTlas {
   SceneTlas(gpu::Device& device, const scene::RenderScene& scene, std::uint64_t triangles);
 
   /// Returns the index of the first triangle of the mesh whose BVH has this root.
-  std::uint32_t first_position(std::uint32_t root) const;
+  std::uint32_t first_triangle(std::uint32_t root) const;
   /// A TLAS over all instances, and the records that it is built from.
   class TopLevel {
    public:
@@ -49,7 +49,7 @@ class SceneTlas {
 
  private:
   struct Placed {
-    std::uint32_t first_position;
+    std::uint32_t first_triangle;
     gpu::AccelerationStructure blas;
   };
   std::map<std::uint32_t, Placed> meshes_;  // by root

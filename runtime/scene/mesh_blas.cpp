@@ -8,13 +8,10 @@
 namespace nightcity::scene {
 namespace {
 
-RootAndBox add_mesh(RenderScene& scene, const TriangleRange& range, std::size_t position,
-                    const BvhRoot& root) {
+RootAndBox add_mesh(RenderScene& scene, const TriangleRange& range, const BvhRoot& root) {
   if (range.first < range.end)
     scene.meshes.push_back({root.node, static_cast<std::uint32_t>(range.first),
-                            static_cast<std::uint32_t>(range.end - range.first),
-                            static_cast<std::uint32_t>(position),
-                            static_cast<std::uint32_t>(scene.triangle_order.size() - position)});
+                            static_cast<std::uint32_t>(range.end - range.first)});
   return {root.node, root.box};
 }
 
@@ -29,10 +26,10 @@ RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned thr
                     std::uint32_t stack) {
   const std::size_t position = scene.triangle_order.size();
   scene.triangle_order.resize(position + range.end - range.first);
-  return add_mesh(
-      scene, range, position,
+  const BvhRoot root =
       append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads,
-                 std::span(scene.triangle_order).subspan(position), {}, position - range.first));
+                 std::span(scene.triangle_order).subspan(position), {}, position - range.first);
+  return add_mesh(scene, range, root);
 }
 
 RootAndBox add_static_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
@@ -46,14 +43,14 @@ RootAndBox add_static_blas(RenderScene& scene, const TriangleRange& range, unsig
         std::span(scene.triangle_order).subspan(position), root, frame, position - range.first);
     if (fault.empty()) {
       ++scene.stored_hierarchies;
-      return add_mesh(scene, range, position, root);
+      return add_mesh(scene, range, root);
     }
     say_unused(scene, fault);
     scene.triangle_order.resize(position);
   }
   root = append_cut_bvh(scene.nodes, scene.triangles, range.first, count, triangle_leaf, mesh_stack,
                         threads, scene.triangle_order, frame);
-  return add_mesh(scene, range, position, root);
+  return add_mesh(scene, range, root);
 }
 
 }  // namespace nightcity::scene

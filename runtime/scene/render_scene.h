@@ -57,8 +57,6 @@ struct SkyMap {
 struct Mesh {
   std::uint32_t root;  // of the BLAS; instances and vehicle bodies name the mesh by it
   std::uint32_t first_triangle, triangles;
-  // Where these are in the leaves: more than once where a hierarchy cuts them.
-  std::uint32_t first_position, positions;
 };
 
 /// The parts of a scene that a program can leave out when it loads the scene (parts.h).
