@@ -8,7 +8,7 @@ namespace nightcity::hierarchy {
 
 std::uint32_t find_room(std::size_t triangles) {
   return static_cast<std::uint32_t>(
-      std::min<std::uint64_t>(triangles / 3, (most_parts - triangles) / 2));
+      std::min<std::uint64_t>(triangles / 2, (most_parts - triangles) / 2));
 }
 
 LeafNumbers::LeafNumbers(std::span<const TrianglePiece> pieces, std::uint32_t triangles,

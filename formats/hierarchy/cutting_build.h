@@ -27,7 +27,7 @@ struct LeafParts {
   std::vector<Cut> cuts;
 };
 
-/// Returns how many cuts a hierarchy may make: a third as many as it has triangles, where numbers of
+/// Returns how many cuts a hierarchy may make: half as many as it has triangles, where numbers of
 /// parts allow that. Room is shared before it is known where it is needed; cities use a third of it.
 std::uint32_t find_room(std::size_t triangles);
 

@@ -32,13 +32,15 @@ class TriangleCuts {
                float margin_m)
       : large_(large), triangles_(triangles), cuts_(cuts), margin_m_(margin_m) {}
 
-  /// Returns how much of `room` the left half gets: the larger box holds the longer triangles.
+  /// Returns how much of `room` the left half gets: by its share of what rays pay, area times pieces.
   template <class Range>
   static std::uint32_t find_share(std::uint32_t room, const Range& left, const Range& right) {
-    const double of_left = double(left.box.half_area()), of_right = double(right.box.half_area());
-    if (!(of_left > double(min_overlap_m2))) return 0;
-    if (!(of_right > double(min_overlap_m2))) return room;
-    return static_cast<std::uint32_t>(room * (of_left / (of_left + of_right)));
+    const auto pay = [](const Range& half) {
+      const float area_m2 = half.box.half_area();
+      return area_m2 > min_overlap_m2 ? double(area_m2) * double(half.size()) : 0.0;
+    };
+    const double of_left = pay(left), all = of_left + pay(right);
+    return all > 0 ? static_cast<std::uint32_t>(room * (of_left / all)) : 0;
   }
 
   /// Splits a range by a plane if that is better than its halves, moves its pieces to their sides,
