@@ -46,9 +46,15 @@ class Polygon {
 
   /// Leaves what lies in a box.
   void keep_inside(const Bounds& box) {
-    for (int axis = 0; axis < 3 && !empty(); ++axis) {
-      cut_off_below(axis, double(box.lower[axis]));
-      if (!empty()) *this = cut_off_below(axis, double(box.upper[axis]));
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lower = double(box.lower[axis]), upper = double(box.upper[axis]);
+      bool is_below = false, is_above = false;
+      for (std::size_t i = 0; i < count_; ++i) {
+        is_below = is_below || corners_[i][axis] < lower;
+        is_above = is_above || corners_[i][axis] > upper;
+      }
+      if (is_below) cut_off_below(axis, lower);
+      if (is_above) *this = cut_off_below(axis, upper);
     }
   }
 
