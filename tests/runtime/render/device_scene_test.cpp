@@ -260,6 +260,7 @@ TEST(DeviceScene, BeyondTheDevicesMemoryTheErrorSaysHowMuchIsNeededAndFree) {
   gpu::Device device(options);
   scene::RenderScene scene = two_lamps();
   while (scene.triangles.size() < 100'000) scene.triangles.push_back(scene.triangles[0]);
+  scene.triangle_order.resize(100'000, 0);  // which the device holds
   try {
     const render::DeviceScene on_device(device, scene, render::ReleaseGeometry{});
     FAIL() << "allocated";
