@@ -95,7 +95,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_
     : ElevationModel(to_raster_file(file), max_block_mpx, crs_without) {}
 
 ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
-                               const std::string& crs_without)
+                               const std::string& crs_without, const ElevationModel* like)
     : state_(std::make_unique<State>()) {
   gdal::register_drivers();
   const gdal::Guard guard;
@@ -145,7 +145,11 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
     wgs84.importFromEPSG(4326);
     raster.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    s.transformation.reset(OGRCreateCoordinateTransformation(&wgs84, &raster));
+    // PROJ looks into its database for each anew, which takes longer than all the rest.
+    OGRCoordinateTransformation* const known = like ? like->state_->transformation.get() : nullptr;
+    s.transformation.reset(known && raster.IsSame(known->GetTargetCS())
+                               ? known->Clone()
+                               : OGRCreateCoordinateTransformation(&wgs84, &raster));
     if (!s.transformation) throw Error(s.name, "its CRS cannot be used: " + gdal::find_reason());
     constexpr double degree_m = 111'320;
     s.in_degrees = raster.IsGeographic();

@@ -40,8 +40,9 @@ class ElevationModel {
   explicit ElevationModel(const std::filesystem::path& file,
                           int max_block_mpx = default_max_block_mpx,
                           const std::string& crs_without = {});
-  explicit ElevationModel(const RasterFile& file, int max_block_mpx,
-                          const std::string& crs_without);
+  /// `like`: a model that may have the same CRS, as the tile before has; null: none.
+  explicit ElevationModel(const RasterFile& file, int max_block_mpx, const std::string& crs_without,
+                          const ElevationModel* like = nullptr);
   ~ElevationModel();
   ElevationModel(ElevationModel&&) noexcept;
   ElevationModel& operator=(ElevationModel&&) noexcept;

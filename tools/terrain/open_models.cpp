@@ -36,7 +36,8 @@ void open_rasters(const std::vector<RasterFile>& rasters, const ElevationOptions
   const std::size_t before = models.size();
   for (const RasterFile& raster : rasters) {
     try {
-      models.emplace_back(raster, options.max_block_mpx, options.crs_without);
+      models.emplace_back(raster, options.max_block_mpx, options.crs_without,
+                          models.empty() ? nullptr : &models.back());
     } catch (const NoRaster& error) {
       if (!raster.unpacked || !is_named_as_text(raster.path)) throw;
       if (passed_over++ == 0) first = raster.name, why = error.what();
