@@ -50,7 +50,7 @@ std::string to_geometry(const object& geometry) {
   return count < 2 ? "" : "POINT (" + numbers + ")";
 }
 
-// Texts of one cell have latitude first.
+// Two numbers under the name of a place stay a list, whose order its reader tells.
 std::string join(const array& values, const std::string& name) {
   std::string text;
   std::vector<std::string> parts;
@@ -63,10 +63,8 @@ std::string join(const array& values, const std::string& name) {
       parts.size() == 2 && std::all_of(values.begin(), values.end(), [](const element& value) {
         return cityjson::to_number(value).has_value();
       });
-  if (are_two_numbers && !puts_latitude_first(name.substr(name.rfind('.') + 1)))
-    std::swap(parts[0], parts[1]);
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text;
+  return are_two_numbers && is_name_of_points(name) ? "[" + text + "]" : text;
 }
 
 class RowReader {

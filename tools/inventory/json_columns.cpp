@@ -141,9 +141,10 @@ std::string turn_named_rows(const object& rows, const std::string& file) {
   out.add("[");
   bool is_first = true;
   for (const auto& [name, value] : rows) {
-    out.add((is_first ? "{\"index\":" : ",{\"index\":") + quote(name));
-    for (const auto& [key, cell] : to_object(value))
-      if (key != "index") out.add("," + quote(key) + ":" + simdjson::minify(cell));
+    const object cells = to_object(value);
+    const bool has_index = cells.at_key("index").error() == simdjson::SUCCESS;
+    out.add((is_first ? "{" : ",{") + quote(has_index ? "name" : "index") + ":" + quote(name));
+    for (const auto& [key, cell] : cells) out.add("," + quote(key) + ":" + simdjson::minify(cell));
     out.add("}");
     is_first = false;
   }
@@ -151,16 +152,17 @@ std::string turn_named_rows(const object& rows, const std::string& file) {
   return out.take();
 }
 
+bool is_row(const object& members) {
+  const bool are_values = std::all_of(members.begin(), members.end(), [](const auto& member) {
+    return !member.value.is_object() && !member.value.is_array();
+  });
+  return are_values && have_names_of_places(list_names(members));
+}
+
 std::string turn_table(const object& table, const std::string& file) {
   if (table.size() == 0) return {};
   const bool are_objects = std::all_of(table.begin(), table.end(),
                                        [](const auto& member) { return member.value.is_object(); });
-  const bool are_values = std::all_of(table.begin(), table.end(), [](const auto& member) {
-    return !member.value.is_object() && !member.value.is_array();
-  });
-  // A single row.
-  if (are_values && have_names_of_places(list_names(table)))
-    return "[" + simdjson::minify(table) + "]";
   if (!are_objects) return turn_lists(table, file);
   const object first = to_object((*table.begin()).value);
   if (first.size() == 0) return {};
@@ -179,13 +181,20 @@ std::string turn_into_rows(const object& whole, const std::string& file) {
   // City models and maps in JSON hold their objects by name, too.
   for (const std::string_view type : {"CityJSON", "CityJSONFeature", "Topology"})
     if (cityjson::find_text(whole, "type") == type) return {};
+  if (is_row(whole)) return "[" + simdjson::minify(whole) + "]";
   if (std::string rows = turn_table(whole, file); !rows.empty()) return rows;
+  // A member alone that is a place may be the middle of a map.
+  std::string found, found_in;
   for (const auto& [name, value] : whole) {
-    object inside;
-    if (value.get(inside) != simdjson::SUCCESS) continue;
-    if (std::string rows = turn_table(inside, file); !rows.empty()) return rows;
+    std::string rows = value.is_object() ? turn_table(to_object(value), file) : "";
+    if (rows.empty()) continue;
+    if (!found.empty())
+      throw Error(file, "holds several tables (" + found_in + ", " + std::string(name) +
+                            ", ...): save that of the lamps alone");
+    found = std::move(rows);
+    found_in = name;
   }
-  return {};
+  return found;
 }
 
 }  // namespace nightcity::inventory

@@ -56,7 +56,7 @@ JsonRows::JsonRows(std::string text, std::string file)
   }
   if (error != simdjson::SUCCESS) return;
   take_root(root);
-  if (why_none_.empty() || !has_wrapper_) return;
+  if (why_none_.empty() || !may_have_columns_) return;
   std::string turned = turn_into_rows(whole_, file_);
   if (turned.empty()) return;
   text_ = std::move(turned);
@@ -125,6 +125,9 @@ void JsonRows::find_in_object(const object& whole) {
   whole_ = whole;
   has_wrapper_ = true;
   Lists lists = list_lists(whole, 0);
+  may_have_columns_ = std::none_of(lists.begin(), lists.end(), [](const auto& named) {
+    return is_list_of_objects(named.second);
+  });
   for (const std::string_view name : usual) {
     const auto list = find_array(wrapper_, name);
     if (!list || (list->size() > 0 && !is_list_of_objects(*list) && !is_list_of_lists(*list)))

@@ -51,6 +51,7 @@ class JsonRows {
   simdjson::dom::array rows_;
   simdjson::dom::object whole_, wrapper_;
   bool has_wrapper_ = false, in_lines_ = false, begins_with_names_ = false;
+  bool may_have_columns_ = false;  // it is an object without a list of objects
   std::vector<ListedColumn> columns_;
 };
 

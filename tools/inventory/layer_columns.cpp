@@ -116,8 +116,10 @@ osm::OsmTags LayerColumns::read(const OGRFeature& row) const {
   osm::OsmTags tags;
   for (const Column& column : columns_) {
     if (!row.IsFieldSetAndNotNull(column.field)) continue;
-    std::string text(
-        city::trim(city::decode_text(to_text(const_cast<OGRFeature&>(row), column.field))));
+    const std::string raw = to_text(const_cast<OGRFeature&>(row), column.field);
+    const std::string decoded = city::decode_text(raw);
+    takes_windows_1252_ = takes_windows_1252_ || decoded != raw;
+    std::string text(city::trim(decoded));
     if (column.values)
       if (const auto word = column.values->find(text); word != column.values->end())
         text = word->second;

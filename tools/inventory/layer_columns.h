@@ -29,6 +29,8 @@ class LayerColumns {
   std::string read_id(const OGRFeature& row) const;
   /// Returns how many rows gave each property a value, in the order of `properties`.
   const std::vector<std::size_t>& used() const { return used_; }
+  /// Returns whether some of these values were no UTF-8 and were taken as Windows-1252.
+  bool takes_windows_1252() const { return takes_windows_1252_; }
 
  private:
   struct Column {
@@ -41,6 +43,7 @@ class LayerColumns {
   std::vector<Column> columns_;
   int id_ = -1;
   mutable std::vector<std::size_t> used_;
+  mutable bool takes_windows_1252_ = false;
 };
 
 }  // namespace nightcity::inventory

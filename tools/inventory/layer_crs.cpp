@@ -106,8 +106,14 @@ void LayerCrs::choose_order(const glm::dvec2& middle) {
     order_ = order;
     return crs_->area_contains(crs_->to_own_lon_lat(to_east_north(middle)), 0);
   };
-  if (!lies_in_area({false, 1}) && !lies_in_area({false, -1}) && !lies_in_area({true, -1}))
-    order_ = {};
+  is_outside_ =
+      !lies_in_area({false, 1}) && !lies_in_area({false, -1}) && !lies_in_area({true, -1});
+  if (is_outside_) order_ = {};
+}
+
+std::string LayerCrs::doubt() const {
+  if (!is_outside_) return crs_->doubt();
+  return "most of its places lie outside of the area of its CRS: is that right, and x east?";
 }
 
 glm::dvec2 LayerCrs::to_east_north(const glm::dvec2& place) const {

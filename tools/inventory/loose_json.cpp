@@ -51,10 +51,19 @@ class Straightener {
   }
 
  private:
-  // The end of a call or an assignment stands behind all.
-  bool is_behind_all() const {
-    constexpr std::string_view ends = ");";
-    return depth_ == 0 && !out_.empty() && ends.find(text_[at_]) != ends.npos;
+  // The end of a call or an assignment stands behind all. What follows it, as the rows of another
+  // variable, is kept: it makes broken JSON, where rows would be lost without a word.
+  bool is_behind_all() {
+    constexpr std::string_view ends = ");", between = "); \t\r\n\x1e";
+    if (depth_ > 0 || out_.empty() || goes_on_ || ends.find(text_[at_]) == ends.npos) return false;
+    std::size_t at = at_;
+    while (at < text_.size()) {
+      const std::size_t end = find_end_of_comment(text_, at);
+      if (end == at && between.find(text_[at]) == between.npos) break;
+      at = std::max(end, at + 1);
+    }
+    goes_on_ = at < text_.size();
+    return !goes_on_;
   }
 
   void step() {
@@ -113,7 +122,7 @@ class Straightener {
   std::size_t at_;
   std::string out_;
   int depth_ = 0;
-  bool is_many_ = false;
+  bool is_many_ = false, goes_on_ = false;
 };
 
 }  // namespace

@@ -130,14 +130,19 @@ class Reader {
   }
 
   // Two numbers in brackets are a list, as JSON writes positions.
-  std::optional<glm::dvec2> read_point(const OGRFeature& row) const {
+  std::optional<glm::dvec2> read_point(const OGRFeature& row) {
     const std::string text = city::decode_text(row.GetFieldAsString(point_column_));
     auto place = parse_lat_lon(text);
     const char* const name = row.GetFieldDefnRef(point_column_)->GetNameRef();
     constexpr double most_degrees = 90;
-    if (place && city::trim(text).starts_with('[') && !puts_latitude_first(name) &&
-        std::abs(place->x) <= most_degrees)
-      std::swap(place->x, place->y);
+    if (!place || !city::trim(text).starts_with('[') || puts_latitude_first(name) ||
+        std::abs(place->x) > most_degrees)
+      return place;
+    std::swap(place->x, place->y);
+    if (result_.report.doubt.empty() && std::abs(place->x) <= most_degrees)
+      result_.report.doubt = "its lists of two numbers (" + std::string(name) +
+                             ") are read as longitude and latitude: where latitude is first, "
+                             "name the column geo_point_2d";
     return place;
   }
 
@@ -179,6 +184,7 @@ class Reader {
       join(tags, others, "light:power", osm::parse_watts);
       tags.erase("light:direction");  // they look to several sides
     }
+    if (columns_.takes_windows_1252()) result_.report.encoding = "Windows-1252";
     result_.report.lamps = result_.lamps.size();
     for (std::size_t i = 0; i < properties.size(); ++i)
       if (columns_.used()[i] > 0)

@@ -20,9 +20,9 @@ struct InventoryReport {
   std::size_t replaced = 0;                    // lamps of the map in whose place these stand
   std::map<std::string, std::size_t> columns;  // property, rows that have it
   std::size_t titles = 0;                      // lines of a CSV above its headings
-  std::string encoding;                        // of a CSV, as its headings tell; "": not asked for
+  std::string encoding;  // of its texts, which nothing in it names; "": UTF-8, or it names its own
   std::string incomplete;                      // what the server left out (server_limit.h)
-  std::string doubt;                           // how well its CRS places it
+  std::string doubt;                           // what may place its lamps wrongly
 };
 
 struct Inventory {

@@ -7,6 +7,7 @@
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
+#include "tools/gdal/utm_zone.h"
 #include "tools/inventory/read_inventory.h"
 
 namespace nightcity::inventory {
@@ -154,6 +155,21 @@ TEST(CsvForms, HeadingsTellTheEncoding) {
   }
 }
 
+// Nothing names the encoding of cells, and letters of another would be wrong ones.
+TEST(CsvForms, ValuesThatAreNoUtf8AreSaid) {
+  const TempFolder folder;
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  file.crs = "EPSG:4326";
+  file.columns["model"] = "type";
+  for (const char* type : {"Leuchte \xe4", "Leuchte \xc3\xa4"}) {
+    write_text(file.file, "id,lon,lat,type\na,13.4,52.5," + std::string(type) + "\n");
+    const Inventory read = read_inventory(file);
+    EXPECT_EQ(read.report.encoding, type[8] == '\xe4' ? "Windows-1252" : "");
+    EXPECT_EQ(read.lamps.at(0).tags.at("luminaire_model"), "Leuchte ä");
+  }
+}
+
 std::string to_utf16(std::u16string_view text, bool big_endian) {
   std::string out;
   for (const char16_t unit : text) {
@@ -256,6 +272,12 @@ TEST(CsvForms, EastingsMayBeginWithTheirZone) {
   write_text(file.file, "id;x;y\na;32391020;5819010\n");
   file.crs = "EPSG:25833";
   EXPECT_THROW(read_inventory(file), Error) << "of another zone";
+  // In Anchorage a northing begins as an easting behind its zone would.
+  write_text(file.file, "id;x;y\na;6790000;345000\n");
+  file.crs = "EPSG:32606";
+  EXPECT_NE(read_inventory(file).report.doubt.find("outside of the area"), std::string::npos);
+  EXPECT_EQ(gdal::take_zone_off(6'790'000, 6), 6'790'000);
+  EXPECT_EQ(gdal::take_zone_off(10'345'000, 10), 345'000);
 }
 
 }  // namespace

@@ -68,6 +68,46 @@ TEST(JsonForms, WhatStaysBrokenIsSaidToBe) {
     EXPECT_NE(why_no_json(text).find("broken JSON"), std::string::npos) << why_no_json(text);
 }
 
+// Some of the rows would be lost without a word.
+TEST(JsonForms, SeveralTablesAreRefused) {
+  const std::string a = R"({"lon":13.4,"lat":52.5})", b = R"({"lon":13.41,"lat":52.51})";
+  const std::string rows_a = R"({"1":)" + a + "}", rows_b = R"({"1":)" + b + "}";
+  EXPECT_NE(why_no_json("var a = [" + a + "];\nvar b = [" + b + "];").find("broken JSON"),
+            std::string::npos);
+  EXPECT_NE(why_no_json("f([" + a + "]); f([" + b + "]);").find("broken JSON"), std::string::npos);
+  EXPECT_NE(why_no_json(R"({"lamps":)" + rows_a + R"(,"poles":)" + rows_b + "}")
+                .find("several tables (lamps, poles"),
+            std::string::npos);
+  EXPECT_NE(why_no_json(R"({"lamps":[)" + a + R"(],"poles":[)" + b + R"(],"center":)" + a + "}")
+                .find("several lists"),
+            std::string::npos);
+}
+
+TEST(JsonForms, TheMiddleOfAMapIsNoLamp) {
+  expect_two(R"({"title":"x","center":{"lon":1,"lat":2},"lamps":{"a":{"lon":13.4,"lat":52.5},
+                 "b":{"lon":13.41,"lat":52.51}}})");
+  EXPECT_NE(why_no_json(R"({"title":"x","center":{"lon":1,"lat":2}})").find("no list of objects"),
+            std::string::npos);
+}
+
+TEST(JsonForms, AColumnNamedIndexIsKept) {
+  const TempFolder folder;
+  write_text(folder / "lamps.json", R"({"L-7":{"lon":13.4,"lat":52.5,"index":60}})");
+  EXPECT_EQ(look_at_table(folder / "lamps.json").columns,
+            (std::vector<std::string>{"name", "lon", "lat", "index"}));
+}
+
+// Neither number tells which it is.
+TEST(JsonForms, ListsOfTwoNumbersAreADoubt) {
+  const auto doubt = [](const char* text) { return read_json_file(text).report.doubt; };
+  EXPECT_NE(doubt(R"([{"location":[13.4,52.5]}])").find("longitude and latitude"),
+            std::string::npos);
+  EXPECT_EQ(doubt(R"([{"location":[139.7,35.6]}])"), "");
+  EXPECT_EQ(doubt(R"([{"latlng":[52.5,13.4]}])"), "");
+  EXPECT_EQ(read_json_file(R"([{"location":[35.6,139.7]}])").lamps.at(0).lon_lat,
+            glm::dvec2(139.7, 35.6));
+}
+
 TEST(JsonForms, ASingleObjectWithAPlaceIsARow) {
   EXPECT_EQ(read_json_file(R"({"id":7,"lat":52.5,"lon":13.4})").lamps.size(), 1u);
   EXPECT_NE(why_no_json(R"({"id":7,"name":"x"})").find("no list of objects"), std::string::npos);
