@@ -50,9 +50,15 @@ class PlainSource : public ByteSource {
   std::string name_;
 };
 
+std::uint64_t size_of(const std::string& name) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(name, error);
+  return error ? 0 : size;
+}
+
 class GzipSource : public ByteSource {
  public:
-  explicit GzipSource(std::string name)
+  explicit GzipSource(const std::string& name)
       : file_(gzopen(name.c_str(), "rb")), name_(name), unpacked_(name, size_of(name)) {
     if (!file_) throw Error(name_, "cannot open the gzip stream");
     gzbuffer(file_, 1u << 18);
@@ -75,12 +81,6 @@ class GzipSource : public ByteSource {
   }
 
  private:
-  static std::uint64_t size_of(const std::string& name) {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(name, error);
-    return error ? 0 : size;
-  }
-
   gzFile file_;
   std::string name_;
   UnpackedSize unpacked_;
@@ -96,7 +96,7 @@ struct ZipDeleter {
 // thread at a time.
 class Archive {
  public:
-  explicit Archive(const std::string& path) {
+  explicit Archive(const std::string& path) : size_(size_of(path)) {
     int code = 0;
     archive_.reset(zip_open(path.c_str(), ZIP_RDONLY, &code));
     if (!archive_) throw Error(path, "broken zip archive: damaged or cut off; fetch it again");
@@ -109,11 +109,13 @@ class Archive {
     zip_stat_t status;
     zip_stat_init(&status);
     const bool known = zip_stat_index(get(), index, 0, &status) == 0;
-    return known && (status.valid & ZIP_STAT_COMP_SIZE) ? status.comp_size : 0;
+    // No entry is larger than the archive, whatever it says.
+    return known && (status.valid & ZIP_STAT_COMP_SIZE) ? std::min(status.comp_size, size_) : 0;
   }
 
  private:
   std::mutex mutex_;
+  std::uint64_t size_;
   std::unique_ptr<zip_t, ZipDeleter> archive_;
 };
 

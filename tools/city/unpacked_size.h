@@ -16,7 +16,8 @@ namespace nightcity::city {
 class UnpackedSize {
  public:
   UnpackedSize(std::string name, std::uint64_t packed)
-      : name_(std::move(name)), max_(std::max(max_ratio * packed, free_bytes)) {}
+      : name_(std::move(name)),
+        max_(std::max(max_ratio * std::min(packed, most_packed), free_bytes)) {}
 
   void add(std::size_t bytes) {
     size_ += bytes;
@@ -27,7 +28,8 @@ class UnpackedSize {
   }
 
  private:
-  static constexpr std::uint64_t max_ratio = 200, free_bytes = std::uint64_t{1} << 30;
+  static constexpr std::uint64_t max_ratio = 200, free_bytes = std::uint64_t{1} << 30,
+                                 most_packed = std::uint64_t{1} << 50;  // the product has room
   std::string name_;
   std::uint64_t max_, size_ = 0;
 };

@@ -111,12 +111,16 @@ class ScratchHandler : public VSIFilesystemHandler {
     return is_there ? 0 : -1;
   }
 
-  char** ReadDirEx(const char* name, int) override {
+  // GDAL looks at the neighbours of each file that it opens, and is content with those beyond `most`
+  // missing: without that, a hundred thousand files would be listed a hundred thousand times.
+  char** ReadDirEx(const char* name, int most) override {
     const std::string folder = to_folder(name);
     CPLStringList names;
     const std::lock_guard lock(shelf().mutex);
     for (auto file = find_in_folder(folder);
-         file != shelf().files.end() && file->first.starts_with(folder); ++file)
+         file != shelf().files.end() && file->first.starts_with(folder) &&
+         (most <= 0 || names.Count() <= most);
+         ++file)
       if (file->first.find('/', folder.size()) == std::string::npos)
         names.AddString(file->first.c_str() + folder.size());
     return names.StealList();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 
 #include "formats/error.h"
@@ -64,9 +65,14 @@ GsiGrid read_gsi_grid(std::string_view text, const std::string& name) {
              north_east = find_pair(text, "upperCorner", name);
   const auto low = find_pair(text, "low", name), high = find_pair(text, "high", name);
   const double width = high[0] - low[0] + 1, height = high[1] - low[1] + 1;
-  if (!(width >= 1 && height >= 1 && width * height <= most_points))
+  const bool are_whole = std::floor(width) == width && std::floor(height) == height;
+  if (!(are_whole && width >= 1 && height >= 1 && width * height <= most_points))
     throw Error(name, "is an elevation model of GSI of " + to_plain(width) + " x " +
                           to_plain(height) + " points, which no tile has");
+  // All tiles begin in the north west; in another order the heights would be turned over.
+  if (const std::size_t order = text.find("order=\"");
+      order != text.npos && !text.substr(order).starts_with("order=\"+x-y\""))
+    throw Error(name, "is an elevation model of GSI whose heights are in another order than +x-y");
   const auto start = find_pair(text, "startPoint", name);
   const double first = start[1] * width + start[0], points = width * height;
   if (!(first >= 0 && first <= points))

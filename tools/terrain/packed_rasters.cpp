@@ -121,7 +121,10 @@ std::vector<RasterUnpacker::Entry> RasterUnpacker::list_entries(
 
 // GDAL reads such an archive, whose name is ours.
 std::vector<RasterUnpacker::Entry> RasterUnpacker::list_inner_archive(const Entry& archive) {
-  const std::string packed = copy(archive), root = "/vsizip/{" + packed + "}";
+  // Its own name might hold signs that mean something to GDAL.
+  const auto source = archive.open();
+  const std::string packed = add(std::to_string(++archives_) + ".zip", archive.name, *source),
+                    root = "/vsizip/{" + packed + "}";
   VSIStatBufL status;
   const std::uint64_t size =
       VSIStatL(packed.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
@@ -158,20 +161,31 @@ std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
     (is_about_heights(name) ? passed_over : rasters).push_back(&entry);
     if (!is_about_heights(name)) stems.insert(find_stem(name));
   }
+  const std::string first = !passed_over.empty() ? passed_over.front()->inside
+                            : entries.empty()    ? ""
+                                                 : entries.front().inside;
   if (rasters.empty())
     throw NoRaster(path, "the archive holds no elevation model" +
-                             (entries.empty() ? "" : ", but " + entries.front().name) +
+                             (first.empty() ? "" : ", but " + first) +
                              ": unpack it and name what is inside");
   if (!passed_over.empty())
     std::fprintf(stderr,
                  "note: %s: %zu rasters inside were passed over whose names speak of no heights "
-                 "(%s)\n",
-                 path.c_str(), passed_over.size(), passed_over.front()->inside.c_str());
+                 "(%s): where they are heights, unpack it and name the files\n",
+                 path.c_str(), passed_over.size(), first.c_str());
   for (const Entry& entry : entries)
-    if (!is_raster(entry) && !is_named_as_text(entry.name) && stems.contains(find_stem(entry.name)))
+    if (!is_raster(entry) && is_named_as_companion(entry.name) &&
+        stems.contains(find_stem(entry.name)))
       copy(entry);
   std::vector<RasterFile> files;
-  for (const Entry* raster : rasters) files.push_back({copy(*raster), raster->name, files_});
+  std::set<std::string> paths;
+  for (const Entry* raster : rasters) {
+    files.push_back({copy(*raster), raster->name, files_});
+    // GDAL would find the later one alone under both names.
+    if (!paths.insert(files.back().path).second)
+      throw Error(raster->name,
+                  "is in the archive more than once: unpack it and name the one that is right");
+  }
   return files;
 }
 

@@ -47,7 +47,8 @@ class RasterUnpacker {
 
   int max_mb_;
   std::uint64_t unpacked_ = 0;
-  std::size_t inputs_ = 0;  // each has a folder of its own
+  std::size_t inputs_ = 0;    // each has a folder of its own
+  std::size_t archives_ = 0;  // in archives
   std::shared_ptr<gdal::ScratchFiles> files_;
 };
 

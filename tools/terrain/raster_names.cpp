@@ -21,6 +21,11 @@ constexpr std::array<std::string_view, 20> raster_endings{
     ".bt",  ".jp2",  ".sdat", ".rst", ".ter", ".gxf", ".gtx", ".dt0", ".dt1", ".dt2"};
 constexpr std::array<std::string_view, 3> text_endings{".txt", ".csv", ".dat"};
 
+// GDAL's own, and those of headers and pixels in the formats of ENVI, Imagine, SAGA, Idrisi and R.
+constexpr std::array<std::string_view, 17> companion_endings{
+    ".prj", ".hdr", ".aux", ".xml", ".msk",  ".ovr",  ".rrd", ".ige", ".stx",
+    ".clr", ".tab", ".gri", ".rsc", ".sgrd", ".mgrd", ".rdc", ".ref"};
+
 // Behind the last underscore of the name.
 constexpr std::array<std::string_view, 13> other_layers{
     "edm",   "flm",   "hem",    "wbm",       "msk",       "stk",    "num",
@@ -44,6 +49,13 @@ bool is_named_as_text(std::string_view name) {
   return city::ends_with_any(to_lower(name), text_endings);
 }
 
+bool is_named_as_companion(std::string_view name) {
+  const std::string ending = to_lower(name.substr(std::min(name.rfind('.'), name.size())));
+  // A world file has the first and the last letter of the raster's own ending: .tfw, .j2w.
+  const bool is_world_file = ending.ends_with('w') && (ending.size() == 4 || ending.size() == 5);
+  return is_world_file || ending == ".wld" || city::ends_with_any(ending, companion_endings);
+}
+
 bool is_about_heights(std::string_view name) {
   const std::string path = to_lower(name.substr(0, name.rfind('.')));
   const std::string stem = path.substr(path.find_last_of("/\\") + 1);
@@ -51,6 +63,8 @@ bool is_about_heights(std::string_view name) {
   if (stem.starts_with("rgealti_") &&
       (stem.find("_dst_") != std::string::npos || stem.find("_src_") != std::string::npos))
     return true;
+  // All that TanDEM-X delivers beside its heights.
+  if (stem.starts_with("tdm1_dem_") && !stem.ends_with("_dem")) return true;
   const std::size_t last = stem.rfind('_');
   return last != std::string::npos && std::find(other_layers.begin(), other_layers.end(),
                                                 stem.substr(last + 1)) != other_layers.end();
@@ -76,12 +90,16 @@ std::vector<fs::path> list_raster_files(const fs::path& path) {
     }
   }
   if (error) throw Error(path.string(), "the folder cannot be read: " + error.message());
+  if (files.empty() && passed_over > 0)
+    throw Error(path.string(), "the folder holds only rasters whose names speak of no heights (" +
+                                   first + "): where they are heights, name the files");
   if (files.empty())
     throw Error(path.string(), "no " + city::join_endings(raster_endings) +
                                    " (also .gz) or .zip in this folder and those inside it");
   if (passed_over > 0)
     std::fprintf(stderr,
-                 "note: %s: %zu rasters were passed over whose names speak of no heights (%s)\n",
+                 "note: %s: %zu rasters were passed over whose names speak of no heights (%s): "
+                 "where they are heights, name the files\n",
                  path.c_str(), passed_over, first.c_str());
   std::sort(files.begin(), files.end());
   return files;

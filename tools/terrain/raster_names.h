@@ -14,6 +14,10 @@ bool is_named_as_raster(std::string_view name);
 /// be anything else.
 bool is_named_as_text(std::string_view name);
 
+/// Returns whether a file's name ends as those that GDAL reads beside a raster of the same name do:
+/// its place, its CRS, its form, its pixels or its mask.
+bool is_named_as_companion(std::string_view name);
+
 /// Returns whether a raster's name says that it tells something else of an elevation model: how
 /// good its heights are, where water is, which way it slopes. Copernicus, ASTER and ALOS deliver
 /// such beside the heights.

@@ -16,8 +16,8 @@ bool is_named_as_text_raster(std::string_view name);
 /// with the mark of UTF-8, or with comments behind '#'.
 bool is_odd_text(std::string_view start);
 
-/// Returns a source of the same text in UTF-8, without mark and comments at its beginning. Others
-/// pass through.
+/// Returns a source of the same text in UTF-8, without mark and comments at its beginning; of these
+/// one that names the columns ("# y x z") becomes the headings. Others pass through.
 std::unique_ptr<city::ByteSource> straighten_text(std::unique_ptr<city::ByteSource> source);
 
 }  // namespace nightcity::terrain

@@ -1,20 +1,11 @@
 // Elevation models as portals pack them.
-#include <gdal_priv.h>
 #include <gtest/gtest.h>
-#include <zip.h>
-#include <zlib.h>
 
-#include <cmath>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "formats/error.h"
-#include "support/temp_folder.h"
-#include "tools/terrain/open_models.h"
+#include "tests/tools/terrain/packed_models.h"
 #include "tools/terrain/packed_rasters.h"
-#include "tools/terrain/raster_names.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -23,98 +14,6 @@ using test::read_text;
 using test::TempFolder;
 using test::write_text;
 
-using Entries = std::map<std::string, std::string>;
-
-void pack_zip(const std::filesystem::path& path, const Entries& entries) {
-  zip_t* zip = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
-  for (const auto& [name, bytes] : entries)
-    zip_file_add(zip, name.c_str(), zip_source_buffer(zip, bytes.data(), bytes.size(), 0), 0);
-  ASSERT_EQ(zip_close(zip), 0);
-}
-
-void pack_gzip(const std::filesystem::path& path, const std::string& bytes) {
-  const gzFile file = gzopen(path.c_str(), "wb");
-  ASSERT_EQ(gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size())),
-            static_cast<int>(bytes.size()));
-  gzclose(file);
-}
-
-std::string to_gzip(const std::string& bytes) {
-  const TempFolder folder;
-  pack_gzip(folder / "a.gz", bytes);
-  return read_text(folder / "a.gz");
-}
-
-// A grid of 3 x 3 heights in a plan of metres, whose middle is 391010, 5819010.
-std::string make_grid(double height) {
-  std::string text =
-      "ncols 3\nnrows 3\nxllcorner 390995\nyllcorner 5818995\ncellsize 10\nNODATA_value -9999\n";
-  for (int i = 0; i < 9; ++i) text += std::to_string(height) + (i % 3 == 2 ? "\n" : " ");
-  return text;
-}
-
-std::string make_table(double height) {
-  std::string rows;
-  for (int y = 2; y >= 0; --y)
-    for (int x = 0; x < 3; ++x)
-      rows += std::to_string(391000 + 10 * x) + " " + std::to_string(5819000 + 10 * y) + " " +
-              std::to_string(height) + "\n";
-  return rows;
-}
-
-// A GeoTIFF without a place of its own.
-std::string make_tiff(float height, GDALDataType type = GDT_Float32) {
-  const TempFolder folder;
-  GDALAllRegister();
-  {
-    GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
-        (folder / "a.tif").c_str(), 3, 3, 1, type, nullptr));
-    std::vector<float> values(9, height);
-    EXPECT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 3, 3, values.data(), 3, 3,
-                                              GDT_Float32, 0, 0),
-              CE_None);
-  }
-  return read_text(folder / "a.tif");
-}
-
-constexpr const char* world_file = "10\n0\n0\n-10\n391000\n5819020\n";
-constexpr glm::dvec2 in_plan(391010, 5819010), in_degrees(13.39402, 52.51030);
-
-std::string make_prj() {
-  OGRSpatialReference crs;
-  crs.importFromEPSG(25833);
-  crs.morphToESRI();
-  char* text = nullptr;
-  crs.exportToWkt(&text);
-  const std::string made = text;
-  CPLFree(text);
-  return made;
-}
-
-double height_of(const ElevationModel& model) {
-  double height = 0;
-  const glm::dvec2 place = model.has_crs() ? in_degrees : in_plan;
-  model.sample(std::span(&place, 1), std::span(&height, 1));
-  return height;
-}
-
-std::vector<double> heights_of(const std::filesystem::path& path,
-                               const ElevationOptions& options = {}) {
-  std::vector<double> heights;
-  for (const ElevationModel& model : open_elevation_models(list_raster_files(path), options))
-    heights.push_back(height_of(model));
-  return heights;
-}
-
-std::string why_not(const std::filesystem::path& path, const ElevationOptions& options = {}) {
-  try {
-    heights_of(path, options);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "was read";
-}
-
 using Heights = std::vector<double>;
 
 TEST(PackedModels, RastersLieInArchivesWithWhatBelongsToThem) {
@@ -122,7 +21,7 @@ TEST(PackedModels, RastersLieInArchivesWithWhatBelongsToThem) {
   const auto path = folder / "a.zip";
   for (const char* stem : {"dem", "data/tiles/dem", "../../../../tmp/dem", "/dem", "a.b/dem"}) {
     const std::string name = stem;
-    pack_zip(path, {{name + ".asc", make_grid(37.5)}, {"readme.txt", "x"}});
+    pack_zip(path, {{name + ".asc", make_ascii_grid(37.5)}, {"readme.txt", "x"}});
     EXPECT_EQ(heights_of(path), Heights{37.5}) << name;
     pack_zip(path, {{name + ".tif", make_tiff(37.5)},
                     {name + ".tfw", world_file},
@@ -145,8 +44,9 @@ TEST(PackedModels, RastersLieInArchivesWithWhatBelongsToThem) {
 // As Britain's OS Terrain 50 comes: a small archive for each tile in a large one.
 TEST(PackedModels, ArchivesLieInArchives) {
   const TempFolder folder;
-  pack_zip(folder / "tile.zip",
-           {{"TQ38.asc", make_grid(37.5)}, {"TQ38.prj", make_prj()}, {"__MACOSX/._TQ38.asc", "x"}});
+  pack_zip(folder / "tile.zip", {{"TQ38.asc", make_ascii_grid(37.5)},
+                                 {"TQ38.prj", make_prj()},
+                                 {"__MACOSX/._TQ38.asc", "x"}});
   pack_zip(folder / "deep.zip", {{"a.zip", read_text(folder / "tile.zip")}});
   pack_zip(folder / "all.zip", {{"data/tq/tq38.zip", read_text(folder / "tile.zip")},
                                 {"data/deep.zip", read_text(folder / "deep.zip")},
@@ -172,7 +72,7 @@ TEST(PackedModels, BytesOfARasterAreNoText) {
 
 TEST(PackedModels, AGzipStreamHasItsNeighbours) {
   const TempFolder folder;
-  pack_gzip(folder / "dem.asc.gz", make_grid(37.5));
+  pack_gzip(folder / "dem.asc.gz", make_ascii_grid(37.5));
   EXPECT_EQ(heights_of(folder / "dem.asc.gz"), Heights{37.5});
   EXPECT_FALSE(open_elevation_models({folder / "dem.asc.gz"}, {}).front().has_crs());
   write_text(folder / "dem.prj", make_prj());
@@ -180,15 +80,15 @@ TEST(PackedModels, AGzipStreamHasItsNeighbours) {
   pack_gzip(folder / "dem.tif.gz", make_tiff(12));
   write_text(folder / "dem.tfw", world_file);
   EXPECT_EQ(heights_of(folder / "dem.tif.gz"), Heights{12});
-  pack_gzip(folder / "plain", make_grid(5));
+  pack_gzip(folder / "plain", make_ascii_grid(5));
   EXPECT_EQ(heights_of(folder / "plain"), Heights{5}) << "a stream under a plain name";
 }
 
 TEST(PackedModels, AFolderStandsForTheRastersInIt) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "b");
-  write_text(folder / "a.asc", make_grid(1));
-  pack_zip(folder / "b" / "c.zip", {{"c.asc", make_grid(2)}});
+  write_text(folder / "a.asc", make_ascii_grid(1));
+  pack_zip(folder / "b" / "c.zip", {{"c.asc", make_ascii_grid(2)}});
   pack_gzip(folder / "d.xyz.gz", make_table(3));
   for (const char* other : {"readme.txt", ".hidden.asc", "e.pdf", "a_hillshade.asc"})
     write_text(folder / other, "x");
@@ -201,13 +101,13 @@ TEST(PackedModels, WhatTellsHowGoodHeightsAreIsNoHeight) {
   const TempFolder folder;
   const auto path = folder / "a.zip";
   const std::string cop = "Copernicus_DSM_10_N52_00_E013_00_";
-  pack_zip(path, {{cop + "DEM.asc", make_grid(34)},
-                  {"AUXFILES/" + cop + "EDM.asc", make_grid(1)},
-                  {"AUXFILES/" + cop + "HEM.asc", make_grid(0.5)},
-                  {"AUXFILES/" + cop + "WBM.asc", make_grid(0)}});
+  pack_zip(path, {{cop + "DEM.asc", make_ascii_grid(34)},
+                  {"AUXFILES/" + cop + "EDM.asc", make_ascii_grid(1)},
+                  {"AUXFILES/" + cop + "HEM.asc", make_ascii_grid(0.5)},
+                  {"AUXFILES/" + cop + "WBM.asc", make_ascii_grid(0)}});
   EXPECT_EQ(heights_of(path), Heights{34});
-  pack_zip(path,
-           {{"ASTGTM_N52E013_dem.asc", make_grid(35)}, {"ASTGTM_N52E013_num.asc", make_grid(9)}});
+  pack_zip(path, {{"ASTGTM_N52E013_dem.asc", make_ascii_grid(35)},
+                  {"ASTGTM_N52E013_num.asc", make_ascii_grid(9)}});
   EXPECT_EQ(heights_of(path), Heights{35});
   EXPECT_FALSE(is_about_heights("dgm_num_3.tif"));
   EXPECT_FALSE(is_about_heights("slope.tif")) << "it may be a place";
@@ -227,7 +127,7 @@ TEST(PackedModels, WhatIsNotReadIsNamed) {
   expect({{"a.7z", "7z"}}, "holds no elevation model, but");
   expect({{"dem.flt", "x"}}, "dem.flt: is no raster of heights: the .hdr that belongs to it");
   expect({{"readme.txt", "hello"}}, "readme.txt: is no raster of heights");
-  expect({{"dem.tif", "hello"}, {"b.asc", make_grid(1)}}, "dem.tif: is no raster of heights");
+  expect({{"dem.tif", "hello"}, {"b.asc", make_ascii_grid(1)}}, "dem.tif: is no raster of heights");
   expect({{"dem.asc", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>"}}, "format VRT");
   expect({{"a.xyz.gz", "\x1f\x8b\x08 broken"}}, "a.xyz: broken gzip stream");
   expect({{"x_num.tif", make_tiff(1)}}, "holds no elevation model");
@@ -245,7 +145,7 @@ ElevationOptions bounded_by(int megabytes) {
 
 TEST(PackedModels, HowMuchIsUnpackedIsBoundedInAll) {
   const TempFolder folder;
-  const std::string megabyte = make_grid(1) + std::string(700'000, ' ');
+  const std::string megabyte = make_ascii_grid(1) + std::string(700'000, ' ');
   pack_zip(folder / "a.zip", {{"a.asc", megabyte}});
   pack_zip(folder / "b.zip", {{"b.asc", megabyte}});
   EXPECT_EQ(why_not(folder / "a.zip", bounded_by(1)), "was read");
@@ -256,12 +156,12 @@ TEST(PackedModels, HowMuchIsUnpackedIsBoundedInAll) {
 
 TEST(PackedModels, NothingIsLeftInTheTemporaryFolder) {
   const TempFolder folder, scratch;
-  pack_zip(folder / "a.zip", {{"a.asc", make_grid(1)}, {"b.asc", "broken"}});
+  pack_zip(folder / "a.zip", {{"a.asc", make_ascii_grid(1)}, {"b.asc", "broken"}});
   const char* const before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";
   ::setenv("TMPDIR", scratch.path().c_str(), 1);
   EXPECT_NE(why_not(folder / "a.zip"), "was read");
-  pack_zip(folder / "a.zip", {{"a.asc", make_grid(1)}});
+  pack_zip(folder / "a.zip", {{"a.asc", make_ascii_grid(1)}});
   {
     const auto models = open_elevation_models({folder / "a.zip"}, {});
     EXPECT_EQ(scratch.entries(), 0u) << "while it is read";

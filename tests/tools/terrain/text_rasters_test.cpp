@@ -64,6 +64,20 @@ TEST(TextRasters, MarksCommentsAndWideLettersAreNoMatter) {
   EXPECT_NEAR(height_of(folder / "a.asc", place, "EPSG:25833"), 7, 1e-9);
 }
 
+// A comment may say in which order the columns are, without which they are x, y and z.
+TEST(TextRasters, ACommentTellsTheOrderOfColumns) {
+  const TempFolder folder;
+  std::string rows;
+  for (int y = 20; y >= 0; --y)
+    for (int x = 0; x <= 20; ++x)
+      rows += std::to_string(5819000 + y) + " " + std::to_string(391010 + x) + " " +
+              std::to_string(37.5 + 0.5 * (x - 10) + 0.05 * (y - 10)) + "\n";
+  for (const char* comment : {"# DGM1\n# Y X Z\n", "#north east height\r\n", "# y x z\n# 2026\n"}) {
+    write_text(folder / "a.xyz", comment + rows);
+    EXPECT_NEAR(height_of(folder / "a.xyz", place, "EPSG:25833"), 37.5, 1e-4) << comment;
+  }
+}
+
 // Surveys of Germany write the number of the zone before the easting.
 TEST(TextRasters, EastingsMayBeginWithTheirZone) {
   const TempFolder folder;
@@ -116,6 +130,8 @@ TEST(TextRasters, BrokenGridsOfJapansSurveyAreRefused) {
   for (const auto& [from, to] : {std::pair<const char*, const char*>{"lowerCorner>35", "lower>35"},
                                  {"high>2 1", "high>2000000 100000"},
                                  {"high>2 1", "high>-7 1"},
+                                 {"high>2 1", "high>2.5 1"},
+                                 {"+x-y", "+x+y"},
                                  {"startPoint>0 0", "startPoint>9 9"},
                                  {"x,1\n", "1\n2\n3\n4\n5\n6\n7\n"}}) {
     std::string text = whole;
