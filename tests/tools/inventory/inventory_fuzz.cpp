@@ -1,18 +1,18 @@
-// libFuzzer target: reads any bytes as a table of lamps, CSV or JSON by the first of them, and each
-// line as the text of a cell.
+// libFuzzer target: reads any bytes as a table of lamps under a name that their beginning chooses,
+// and each line as the text of a cell.
 #include <algorithm>
 #include <cstdint>
 
 #include "support/abort_with.h"
 #include "support/temp_folder.h"
+#include "tests/tools/inputs/mutate_archive.h"
 #include "tests/tools/inventory/sound_inventory.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity::test;
   std::string_view text(reinterpret_cast<const char*>(data), size);
   static const TempFolder folder;
-  const auto path =
-      folder / (text.starts_with('{') || text.starts_with('[') ? "lamps.geojson" : "lamps.csv");
+  const auto path = folder / name_table(text);
   write_text(path, text);
   abort_with(find_fault_of_inventory(path));
   while (!text.empty()) {

@@ -1,7 +1,8 @@
-// Checks that hold for every table of lamps, broken or not: for the
-// fuzz target and the test of its corpus.
+// Checks that hold for every table of lamps, broken or not: for the fuzz target and the test of its
+// corpus.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -12,6 +13,27 @@
 #include "tools/inventory/read_inventory.h"
 
 namespace nightcity::test {
+
+/// Returns a name for a file of these bytes, whose ending decides how a table is read.
+inline const char* name_table(std::string_view bytes) {
+  struct Kind {
+    std::string_view start;
+    const char* name;
+  };
+  constexpr std::array<Kind, 9> kinds{{{"PK\x03\x04", "lamps.zip"},
+                                       {"\x1f\x8b", "lamps.gz"},
+                                       {"{\"type\"", "lamps.geojson"},
+                                       {"{", "lamps.json"},
+                                       {"[", "lamps.json"},
+                                       {"/", "lamps.json"},
+                                       {"var ", "lamps.json"},
+                                       {"lamps(", "lamps.json"},
+                                       {"\t", "lamps.txt"}}};
+  for (const Kind& kind : kinds)
+    if (bytes.starts_with(kind.start)) return kind.name;
+  const std::string_view line = bytes.substr(0, bytes.find('\n'));
+  return line.find('\t') == line.npos ? "lamps.csv" : "lamps.tsv";
+}
 
 /// Returns what is wrong with how the text of one cell is read as a place; "" where it is sound.
 inline std::string find_fault_of_cell(std::string_view text) {
@@ -29,6 +51,7 @@ inline std::string find_fault_of_inventory(const std::filesystem::path& path) {
   inventory::InventoryFile file;
   file.file = path;
   file.max_lamps = 1000;
+  if (path.extension() != ".geojson") file.crs = "EPSG:4326";  // others name none
   try {
     const inventory::Inventory read = inventory::read_inventory(file);
     for (const osm::OsmLampNode& lamp : read.lamps)

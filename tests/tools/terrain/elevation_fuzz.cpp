@@ -1,8 +1,10 @@
-// libFuzzer target: reads any bytes as an elevation model, which GDAL opens by what they are.
+// libFuzzer target: reads any bytes as an elevation model, which GDAL opens by what they are, and
+// those of archives and gzip streams as packed ones.
 #include <cstdint>
 
 #include "support/abort_with.h"
 #include "support/temp_folder.h"
+#include "tests/tools/inputs/mutate_archive.h"
 #include "tests/tools/terrain/sound_raster.h"
 
 // Libraries ask for as much memory as a file claims to need, which costs nothing until it is written

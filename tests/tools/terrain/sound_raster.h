@@ -10,12 +10,18 @@
 #include <vector>
 
 #include "formats/error.h"
-#include "tools/terrain/elevation_model.h"
+#include "tools/terrain/open_models.h"
+#include "tools/terrain/raster_names.h"
 
 namespace nightcity::test {
 
-/// Returns a name for a file of these bytes: GDAL knows some formats by the ending as well.
+/// Returns a name for a file of these bytes: GDAL knows some formats by the ending as well, and
+/// texts and grids of GSI are put into another form by theirs.
 inline const char* name_raster(std::string_view bytes) {
+  if (bytes.starts_with("PK\x03\x04")) return "dem.zip";
+  if (bytes.starts_with("\x1f\x8b")) return "dem.xyz.gz";
+  if (bytes.starts_with("<?xml")) return "FG-GML-5339-45-DEM5A.xml";
+  if (bytes.starts_with('#') || bytes.starts_with("\xff\xfe")) return "dem.xyz";
   if (bytes.starts_with("HF2")) return "dem.hf2";
   if (bytes.starts_with("binterr")) return "dem.bt";
   return "dem.tif";
@@ -38,14 +44,18 @@ inline std::vector<std::vector<glm::dvec2>> list_places() {
 /// reason.
 inline std::string find_fault_of_raster(const std::filesystem::path& path) {
   try {
-    constexpr int max_block_mpx = 1;  // blocks are unpacked as a whole
-    const terrain::ElevationModel model(path, max_block_mpx);
-    if (!(model.resolution_m() > 0)) return "resolution";
-    for (const auto& places : list_places()) {
-      std::vector<double> heights(places.size());
-      model.sample(places, heights);
-      for (const double height : heights)
-        if (!std::isnan(height) && !(height > -9'900 && height < 9'000)) return "height";
+    terrain::ElevationOptions options;
+    options.max_block_mpx = 1;  // blocks are unpacked as a whole
+    options.max_unpacked_mb = 2;
+    for (const terrain::ElevationModel& model :
+         terrain::open_elevation_models(terrain::list_raster_files(path), options)) {
+      if (!(model.resolution_m() > 0)) return "resolution";
+      for (const auto& places : list_places()) {
+        std::vector<double> heights(places.size());
+        model.sample(places, heights);
+        for (const double height : heights)
+          if (!std::isnan(height) && !(height > -9'900 && height < 9'000)) return "height";
+      }
     }
   } catch (const Error& error) {
     if (std::string(error.what()).empty()) return "an error without words";
