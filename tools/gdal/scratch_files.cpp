@@ -111,8 +111,8 @@ class ScratchHandler : public VSIFilesystemHandler {
     return is_there ? 0 : -1;
   }
 
-  // GDAL looks at the neighbours of each file that it opens, and is content with those beyond `most`
-  // missing: without that, a hundred thousand files would be listed a hundred thousand times.
+  // GDAL looks at the neighbours of each file that it opens, and does without where there are more
+  // than `most`: a hundred thousand files are not listed a hundred thousand times.
   char** ReadDirEx(const char* name, int most) override {
     const std::string folder = to_folder(name);
     CPLStringList names;

@@ -18,8 +18,8 @@ class LayerCrs {
  public:
   /// Takes the recipe's CRS, else `of_form` where the form of the table's places says one, else the
   /// layer's. In grids of South Africa and of Krovak, places may be east and north in negative
-  /// numbers, or west and south in either order: where the former lie outside the CRS's area of use,
-  /// the latter are tried. Throws Error where there is none, or PROJ does not know it.
+  /// numbers, or west and south in either order: where the former lie outside the CRS's area of
+  /// use, the latter are tried. Throws Error where there is none, or PROJ does not know it.
   LayerCrs(OGRLayer& layer, const InventoryFile& inventory, const std::string& of_form);
 
   /// Returns WGS 84 degrees of a place of the layer (east or longitude, north or latitude); NaN

@@ -14,8 +14,8 @@ struct GsiGrid {
   std::string grid, crs;
 };
 
-/// Throws Error, which names `name`, where the text lacks the grid's place or size, has more heights
-/// than that or has them in another order, or states more points than a tile may have.
+/// Throws Error, which names `name`, where the text lacks the grid's place or size, has more
+/// heights than that or has them in another order, or states more points than a tile may have.
 GsiGrid read_gsi_grid(std::string_view text, const std::string& name);
 
 }  // namespace nightcity::terrain
