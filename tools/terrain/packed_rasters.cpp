@@ -177,6 +177,10 @@ std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
     if (!is_raster(entry) && is_named_as_companion(entry.name) &&
         stems.contains(find_stem(entry.name)))
       copy(entry);
+  return copy_rasters(rasters);
+}
+
+std::vector<RasterFile> RasterUnpacker::copy_rasters(const std::vector<const Entry*>& rasters) {
   std::vector<RasterFile> files;
   std::set<std::string> paths;
   for (const Entry* raster : rasters) {

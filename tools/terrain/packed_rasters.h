@@ -36,6 +36,8 @@ class RasterUnpacker {
   std::vector<Entry> list_inner_archive(const Entry& archive);
   std::vector<RasterFile> unpack_archive(const std::string& path,
                                          const city::FileContents& contents);
+  /// Throws Error where two have one name.
+  std::vector<RasterFile> copy_rasters(const std::vector<const Entry*>& rasters);
   /// Unpacks, or puts into another form, a file that is one raster, with what lies beside it.
   RasterFile copy_alone(const std::filesystem::path& file, const city::Document& document);
   /// Writes an elevation model of GSI as another raster.
