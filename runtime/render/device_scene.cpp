@@ -1,13 +1,10 @@
 #include "runtime/render/device_scene.h"
 
 #include <algorithm>
-#include <atomic>
-#include <numeric>
 
 #include "formats/error.h"
-#include "formats/parallel.h"
 #include "formats/srgb.h"
-#include "formats/touch_pages.h"
+#include "runtime/render/device_triangles.h"
 
 namespace nightcity::render {
 namespace {
@@ -21,10 +18,9 @@ void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
   const auto bytes_of = [](const auto& values) {
     return std::uint64_t{values.size()} * sizeof values[0];
   };
-  const std::uint64_t triangles =
-      device.trace() == gpu::Trace::compute ? scene.triangle_order.size() : scene.triangles.size();
-  const std::uint64_t needed = triangles * sizeof(gpu::Triangle) + bytes_of(scene.nodes) +
-                               bytes_of(scene.instances) + bytes_of(scene.lights) +
+  const std::uint64_t needed = count_device_triangles(device, scene) * sizeof(gpu::Triangle) +
+                               bytes_of(scene.nodes) + bytes_of(scene.instances) +
+                               bytes_of(scene.lights) +
                                scene.lights.size() * sizeof(gpu::AliasEntry) +
                                bytes_of(scene.texels),
                       free = device.free_memory();
@@ -38,38 +34,6 @@ void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
 template <class List>
 void free_memory_of(List& values) {
   values = List();
-}
-
-// Returns the numbers of the triangles as the device has them: in the order of the leaves, where one
-// that is cut comes several times, or each once (`once`) for the device's own structures.
-std::span<const std::uint32_t> order_triangles(const gpu::Device& device,
-                                               const scene::RenderScene& scene,
-                                               LargeVector<std::uint32_t>& once) {
-  if (device.trace() == gpu::Trace::compute) return scene.triangle_order;
-  once.resize(scene.triangles.size());
-  std::iota(once.begin(), once.end(), 0u);
-  return once;
-}
-
-// Uploads triangles by their numbers. Pages of the file that they are read from are given back
-// whenever that many triangles were read.
-constexpr std::size_t resident_triangles = 1 << 18;
-gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scene,
-                             std::span<const std::uint32_t> order) {
-  gpu::Buffer buffer(device, order.size() * sizeof(gpu::Triangle));
-  std::atomic<std::size_t> read = 0;
-  buffer.make_first<gpu::Triangle>(
-      order.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
-        constexpr std::size_t piece = 1 << 14;
-        run_parallel((to.size() + piece - 1) / piece, count_cores(), [&](std::size_t i) {
-          const std::size_t begin = i * piece, count = std::min(piece, to.size() - begin);
-          touch_pages(to.subspan(begin, count));
-          scene.triangles.gather(order.subspan(first + begin, count), to.subspan(begin, count));
-          if ((read += piece) % resident_triangles == 0) scene.triangles.release_pages();
-        });
-      });
-  scene.triangles.release_pages();
-  return buffer;
 }
 
 }  // namespace
