@@ -24,6 +24,7 @@ struct StoredHierarchy {
   // formats/hierarchy/cuts.h does.
   std::span<const std::byte> topology, order, cuts;
 
+  /// Returns how many cuts there are, of 8 bytes each.
   std::size_t count_cuts() const { return cuts.size() / 8; }
 };
 

@@ -21,7 +21,7 @@ struct CutPieces {
   float margin_m = 0;  // of their boxes
 };
 
-/// What lies in the leaves of a hierarchy.
+/// Tells the triangles and parts that lie in the leaves of a hierarchy.
 struct LeafParts {
   LargeVector<std::uint32_t> order;  // the triangle or part at each position
   std::vector<Cut> cuts;

@@ -95,7 +95,6 @@ class TriangleCuts {
   static float weigh(const Range& r) {
     return r.box.half_area() * static_cast<float>(r.weight);
   }
-  static std::uint32_t weight_of(const TrianglePiece& p) { return p.is_large() ? 1 : p.count(); }
 
   template <class Range>
   void try_axis(std::span<const TrianglePiece> pieces, const Range& range, int axis,
@@ -106,12 +105,12 @@ class TriangleCuts {
     std::uint32_t weight = 0;
     for (std::size_t i = 0; i < pieces.size(); i += 1 + pieces.size() / enough_pieces) {
       const TrianglePiece& piece = pieces[i];
-      weight += weight_of(piece);
+      weight += piece.weight();
       const Bounds box = piece.bounds();
       std::size_t first = bins.place(box.lower[axis]), last = bins.place(box.upper[axis]);
       if (!piece.is_large()) first = last = bins.place(box.centre()[axis]);
-      all[first].first += weight_of(piece);
-      all[last].last += weight_of(piece);
+      all[first].first += piece.weight();
+      all[last].last += piece.weight();
       if (first == last)
         all[first].box.grow(box);
       else
@@ -227,7 +226,7 @@ class TriangleCuts {
 /// Builder asks these questions of pieces of one or two triangles, of which it cuts large ones.
 struct CutPieceAccess : PieceAccess<2> {
   using Cuts = TriangleCuts;
-  static std::uint32_t weight_of(const Primitive& p) { return p.is_large() ? 1 : p.count(); }
+  static std::uint32_t weight_of(const Primitive& p) { return p.weight(); }
 };
 
 }  // namespace nightcity::hierarchy

@@ -25,11 +25,13 @@ class TrianglePiece {
   std::uint32_t first() const { return static_cast<std::uint32_t>(lower_[3]); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(upper_[3]); }
 
-  // Of a hierarchy that may cut, pieces of large triangles are marked: their count is the number of
+  // Where a hierarchy may cut, pieces of large triangles are marked: their count is the number of
   // the triangle among these, and first() that of the part.
   static constexpr std::uint32_t large_bit = 0x80000000u;
   bool is_large() const { return (count() & large_bit) != 0; }
   std::uint32_t large() const { return count() & ~large_bit; }
+  /// Returns how many entries of a leaf it is, whether it is marked or not.
+  std::uint32_t weight() const { return is_large() ? 1 : count(); }
 
  private:
   static Int4 put(Float4 xyz, std::uint32_t number) {

@@ -64,7 +64,7 @@ double find_copy_speed(gpu::Device& device) {
   }
 }
 
-// Of the frame that the renderer made last.
+// Returns the traffic of the frame that the renderer made last.
 MemoryTraffic find_traffic(gpu::Device& device, const render::Renderer& renderer,
                            const render::RenderSettings& settings) {
   MemoryTraffic traffic{{}, find_copy_speed(device)};

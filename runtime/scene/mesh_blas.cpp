@@ -27,12 +27,12 @@ void say_unused(RenderScene& scene, const std::string& fault) {
 }
 
 RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
-                    std::uint32_t stack) {
+                    std::uint32_t stack, const hierarchy::BoxFrame& frame) {
   const std::size_t position = scene.triangle_order.size();
   scene.triangle_order.resize(position + range.end - range.first);
   const BvhRoot root =
       append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack, threads,
-                 std::span(scene.triangle_order).subspan(position), {}, position - range.first);
+                 std::span(scene.triangle_order).subspan(position), frame, position - range.first);
   return add_mesh(scene, range, root);
 }
 
@@ -52,15 +52,9 @@ RootAndBox add_static_blas(RenderScene& scene, const TriangleRange& range, unsig
     say_unused(scene, fault);
     scene.triangle_order.resize(position);
   }
-  if (count <= most_cut_here) {
-    root = append_cut_bvh(scene.nodes, scene.triangles, range.first, count, triangle_leaf,
-                          mesh_stack, threads, scene.triangle_order, frame);
-  } else {
-    scene.triangle_order.resize(position + count);
-    root = append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, mesh_stack, threads,
-                      std::span(scene.triangle_order).subspan(position), frame,
-                      position - range.first);
-  }
+  if (count > most_cut_here) return add_blas(scene, range, threads, mesh_stack, frame);
+  root = append_cut_bvh(scene.nodes, scene.triangles, range.first, count, triangle_leaf, mesh_stack,
+                        threads, scene.triangle_order, frame);
   return add_mesh(scene, range, root);
 }
 

@@ -31,7 +31,7 @@ void say_unused(RenderScene& scene, const std::string& fault);
 
 /// Builds the BLAS over some triangles, and returns its root and box.
 RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
-                    std::uint32_t stack = mesh_stack);
+                    std::uint32_t stack = mesh_stack, const hierarchy::BoxFrame& frame = {});
 
 /// Adds the BLAS over some triangles that stand where they are stored, and returns its root and
 /// box. It is built, unless `stored` is of these triangles.

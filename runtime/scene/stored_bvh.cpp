@@ -204,6 +204,8 @@ std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleLi
   if (stored.along != frame.along) return "its boxes lie along another direction";
   if (stored.triangles + stored.count_cuts() != order.size())
     return "it is of another number of triangles";
+  if (first + more_before + order.size() > BVH_LEAF_FIRST_MASK)
+    return "the scene has no room for all of its parts";
   std::vector<hierarchy::Cut> cuts;
   if (const std::string fault = hierarchy::decode_cuts(stored.cuts, stored.triangles, cuts);
       !fault.empty())

@@ -22,7 +22,7 @@ class TriangleParts {
   std::string measure(std::span<const hierarchy::Cut> cuts, const TriangleList& triangles,
                       std::size_t first, std::uint32_t count, const hierarchy::BoxFrame& frame);
 
-  /// Where a part is in a list, and its box.
+  /// Holds the place of each part in a list, and its box.
   using Found = std::vector<std::pair<std::size_t, hierarchy::Bounds>>;
   /// Puts triangles in the place of their parts, all counted from `first` on, and returns these.
   Found replace(std::span<std::uint32_t> numbers) const;

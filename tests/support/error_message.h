@@ -7,15 +7,15 @@
 
 namespace nightcity::test {
 
-/// Returns what the Error says that `action` throws, "" where it throws none.
+/// Returns what the Error says that `action` throws, `otherwise` where it throws none.
 template <class Action>
-std::string message_of(const Action& action) {
+std::string message_of(const Action& action, const std::string& otherwise = "") {
   try {
     action();
   } catch (const Error& error) {
     return error.what();
   }
-  return "";
+  return otherwise;
 }
 
 }  // namespace nightcity::test

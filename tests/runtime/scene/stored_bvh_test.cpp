@@ -380,6 +380,21 @@ TEST(StoredBvh, IsCutAsTheBuilderCuts) {
   }
 }
 
+// Positions of leaves have 27 bits.
+TEST(StoredBvh, IsRefusedWhereItsPartsHaveNoRoom) {
+  const TriangleList triangles = mixed_triangles(100, 1);
+  const Built built = build_stored(triangles, 0);
+  Loaded loaded;
+  loaded.order.resize(triangles.size());
+  const std::size_t most = BVH_LEAF_FIRST_MASK - triangles.size();
+  for (const std::size_t more : {most, most + 1}) {
+    const std::string fault =
+        append_stored_bvh(loaded.nodes, triangles, 0, built.stored, hierarchy::static_leaf,
+                          hierarchy::static_stack, 1, loaded.order, loaded.root, {}, more);
+    EXPECT_EQ(fault.find("no room") != std::string::npos, more > most) << fault;
+  }
+}
+
 // Whatever cuts a file holds, they are refused or all of each triangle is in leaves.
 TEST(StoredBvh, NoCutsBreakIt) {
   const TriangleList triangles = long_triangles(800, 3);

@@ -775,7 +775,8 @@ TEST(Bake, HierarchiesOfAllThatStandsStillAreStoredUnlessARecipeSaysNo) {
   ASSERT_EQ(file.hierarchies().size(), 1u);
   const StoredHierarchy& stored = file.hierarchies()[0];
   EXPECT_EQ(stored.triangles, with.hierarchies.triangles);
-  EXPECT_EQ(stored.topology.size() + stored.order.size(), with.hierarchies.bytes);
+  EXPECT_EQ(stored.topology.size() + stored.order.size() + stored.cuts.size(),
+            with.hierarchies.bytes);
   const Scene scene = read_scene(folder / "with/city.glb"),
               bare = read_scene(folder / "without/city.glb");
   EXPECT_EQ(scene.skipped, bare.skipped);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formats/error.h"
+#include "support/error_message.h"
 #include "support/temp_folder.h"
 #include "tools/inventory/read_inventory.h"
 
@@ -38,12 +39,7 @@ inline void expect_two(const std::string& text, const std::string& crs = "EPSG:4
 }
 
 inline std::string why_no_json(const std::string& text, const std::string& crs = "EPSG:4326") {
-  try {
-    read_json_file(text, crs);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "was read";
+  return test::message_of([&] { read_json_file(text, crs); }, "was read");
 }
 
 inline constexpr const char* two_rows =

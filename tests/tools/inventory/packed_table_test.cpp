@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "support/error_message.h"
 #include "support/temp_folder.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/look_at_table.h"
@@ -87,12 +88,7 @@ void expect_lamp(const std::filesystem::path& path, const std::string& crs = "")
 }
 
 std::string why_not_packed(const std::filesystem::path& path) {
-  try {
-    read_packed(path, "EPSG:4326");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "was read";
+  return test::message_of([&] { read_packed(path, "EPSG:4326"); }, "was read");
 }
 
 TEST(PackedTable, AShapefileLiesInAnArchive) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "support/error_message.h"
 #include "support/temp_folder.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/look_at_table.h"
@@ -35,12 +36,7 @@ void expect_place(const TempFolder& folder, const std::string& names, const std:
 
 std::string why_not(const TempFolder& folder, const std::string& name, const std::string& text,
                     const std::string& crs = "EPSG:4326") {
-  try {
-    read_form(folder, name, text, crs);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "was read";
+  return test::message_of([&] { read_form(folder, name, text, crs); }, "was read");
 }
 
 constexpr const char* one_feature =

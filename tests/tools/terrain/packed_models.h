@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "support/error_message.h"
 #include "support/temp_folder.h"
 #include "tools/terrain/open_models.h"
 #include "tools/terrain/raster_names.h"
@@ -103,12 +104,7 @@ inline std::vector<double> heights_of(const std::filesystem::path& path,
 
 inline std::string why_not(const std::filesystem::path& path,
                            const ElevationOptions& options = {}) {
-  try {
-    heights_of(path, options);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "was read";
+  return test::message_of([&] { heights_of(path, options); }, "was read");
 }
 
 }  // namespace nightcity::terrain

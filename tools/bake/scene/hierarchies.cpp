@@ -20,7 +20,8 @@ HierarchyReport add_hierarchies(const std::filesystem::path& glb,
     described.push_back(one.description);
     report.triangles += one.description.triangles;
     report.nodes += one.encoded.topology.size();
-    report.bytes += one.description.topology.size() + one.description.order.size();
+    report.bytes += one.description.topology.size() + one.description.order.size() +
+                    one.description.cuts.size();
   }
   if (described.empty() || !store_hierarchies(glb, described)) return {};
   return report;
