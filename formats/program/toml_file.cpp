@@ -1,5 +1,7 @@
 #include "formats/program/toml_file.h"
 
+#include <fmt/format.h>
+
 #include "formats/error.h"
 #include "formats/program/nearest_word.h"
 #include "formats/program/toml_depth.h"
@@ -41,6 +43,19 @@ toml::table read_toml(const std::filesystem::path& path) {
     throw Error(path.string(), error.source().begin.line,
                 "is not TOML: " + std::string(error.description()));
   }
+}
+
+std::string quote_for_toml(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += {'\\', c};
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
 }
 
 void refuse_unknown_key(const std::string& file, const toml::key& key, const std::string& what,

@@ -19,4 +19,8 @@ toml::table read_toml(const std::filesystem::path& path);
                                      const std::string& what,
                                      const std::vector<std::string>& known);
 
+/// Returns the text as TOML's basic string (https://toml.io/en/v1.0.0#string), for values and keys:
+/// toml++ 3.3 writes some texts that hold quotes so that they are no TOML.
+std::string quote_for_toml(const std::string& text);
+
 }  // namespace nightcity::program

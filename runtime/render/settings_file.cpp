@@ -43,12 +43,13 @@ std::string to_text(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-// Returns the text of a list's elements, separated by commas, or nothing where it is no such list.
+// Returns the text of a list's elements, separated by commas, or nothing where it is no such list:
+// an element that is empty or holds a comma would come back as others.
 std::optional<std::string> join(const toml::array& list) {
   std::string text;
   for (const toml::node& element : list) {
     const auto word = element.value_exact<std::string>();
-    if (!word) return {};
+    if (!word || word->empty() || word->find(',') != std::string::npos) return {};
     text += (text.empty() ? "" : ",") + *word;
   }
   return text;
@@ -72,7 +73,7 @@ std::vector<NamedText> read_table(const std::string& file, const std::string& na
     if (!text)
       throw UsageError(file, line,
                        "[" + name + "] " + std::string(key.str()) +
-                           " is no number, string, true, false or list of strings");
+                           " is no number, string, true, false or list of words without commas");
     values.push_back({std::string(key.str()), *text, line});
   }
   // The lines' order, in which a reader corrects them.
@@ -118,23 +119,21 @@ bool is_number(const std::string& text) {
           is_read_as(double{}, [](double value) { return to_text(value); }));
 }
 
-std::string quote(const std::string& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
+bool has_empty_word(const std::string& text) {
+  return ("," + text + ",").find(",,") != std::string::npos;
 }
 
 std::string to_toml(const NamedText& value) {
-  if (value.name == "leave-out") {
+  if (value.name == "leave-out" && !has_empty_word(value.text)) {
     std::string list;
     std::istringstream words(value.text);
     for (std::string word; std::getline(words, word, ',');)
-      list += (list.empty() ? "" : ", ") + quote(word);
+      list += (list.empty() ? "" : ", ") + program::quote_for_toml(word);
     return "[" + list + "]";
   }
   if (value.text == "yes") return "true";
   if (value.text == "no") return "false";
-  return is_number(value.text) ? value.text : quote(value.text);
+  return is_number(value.text) ? value.text : program::quote_for_toml(value.text);
 }
 
 // Returns a key as TOML has it: the window's are anything, and need quotes where they are no words.
@@ -144,18 +143,7 @@ std::string to_key(const std::string& name) {
            c == '-';
   };
   if (!name.empty() && std::all_of(name.begin(), name.end(), is_bare)) return name;
-  std::string text = "\"";
-  for (const char c : name) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || code == 0x7f) {
-      constexpr char digits[] = "0123456789ABCDEF";
-      text += std::string("\\u00") + digits[code / 16] + digits[code % 16];
-    } else {
-      if (c == '"' || c == '\\') text += '\\';
-      text += c;
-    }
-  }
-  return text + '"';
+  return program::quote_for_toml(name);
 }
 
 std::string to_toml(const char* name, const std::vector<NamedText>& table) {

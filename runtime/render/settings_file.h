@@ -41,7 +41,8 @@ const std::vector<std::string>& list_render_keys();
 
 /// Reads a settings file. Throws Error with file and line where it is not TOML, and UsageError
 /// where it has an unknown table, an unknown key in [render] or a value there that its option does
-/// not take. Values of [window] are numbers, strings, truth values or lists of strings.
+/// not take. Values of [window] are numbers, strings, truth values or lists of strings without
+/// commas.
 SettingsFile read_settings_file(const std::filesystem::path& path);
 
 /// Sets every render setting that the file names, except those for which `is_given` returns true:

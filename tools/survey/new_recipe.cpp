@@ -5,24 +5,12 @@
 #include <algorithm>
 #include <map>
 
+#include "formats/program/toml_file.h"
+
 namespace nightcity::survey {
 namespace {
 
 namespace fs = std::filesystem;
-
-// TOML's basic string (https://toml.io/en/v1.0.0#string).
-std::string quote(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += {'\\', c};
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
 
 // A comment, wrapped, whatever the text holds.
 std::string comment(const std::string& text) {
@@ -87,7 +75,7 @@ class Writer {
     std::string text = "[";
     for (const SurveyedFile* file : files)
       text += (text.size() > 1 ? ",\n  " : (files.size() > 1 ? "\n  " : "")) +
-              quote(to_name(file->path));
+              program::quote_for_toml(to_name(file->path));
     return text + (files.size() > 1 ? ",\n]\n" : "]\n");
   }
 
@@ -108,8 +96,8 @@ class Writer {
     text_ += "\n[city]\n";
     describe(plan_.cities);
     const fs::path folder = find_common_folder();
-    text_ +=
-        "files = " + (folder.empty() ? list(plan_.cities) : "[" + quote(to_name(folder)) + "]\n");
+    text_ += "files = " + (folder.empty() ? list(plan_.cities)
+                                          : "[" + program::quote_for_toml(to_name(folder)) + "]\n");
     const auto is_obj = [](const SurveyedFile* f) { return f->is_obj; };
     if (std::none_of(plan_.cities.begin(), plan_.cities.end(),
                      [](const SurveyedFile* f) { return f->has_crs; }))
@@ -133,21 +121,24 @@ class Writer {
       text_ += "\n" +
                comment(file->path.filename().string() + ": " + file->what +
                        ". Which lamps have it? roads, types and models say it.") +
-               "# [[lamps.luminaires]]\n# file = " + quote(to_name(file->path)) + "\n";
+               "# [[lamps.luminaires]]\n# file = " + program::quote_for_toml(to_name(file->path)) +
+               "\n";
   }
 
   void write_inventory(const SurveyedFile& file) {
     const inventory::InventoryFile& inventory = *file.inventory;
     text_ +=
         "\n[[lamps.inventories]]\n" + comment(file.path.filename().string() + ": " + file.what);
-    text_ += "file = " + quote(to_name(file.path)) + "\n";
-    if (!inventory.layer.empty()) text_ += "layer = " + quote(inventory.layer) + "\n";
-    if (!inventory.crs.empty()) text_ += "crs = " + quote(inventory.crs) + "\n";
-    if (!inventory.id.empty()) text_ += "id = " + quote(inventory.id) + "\n";
+    text_ += "file = " + program::quote_for_toml(to_name(file.path)) + "\n";
+    if (!inventory.layer.empty())
+      text_ += "layer = " + program::quote_for_toml(inventory.layer) + "\n";
+    if (!inventory.crs.empty()) text_ += "crs = " + program::quote_for_toml(inventory.crs) + "\n";
+    if (!inventory.id.empty()) text_ += "id = " + program::quote_for_toml(inventory.id) + "\n";
     if (!inventory.columns.empty()) {
       std::string columns;
       for (const auto& [property, column] : inventory.columns)
-        columns += (columns.empty() ? "" : ", ") + property + " = " + quote(column);
+        columns +=
+            (columns.empty() ? "" : ", ") + property + " = " + program::quote_for_toml(column);
       text_ += comment("As the columns' names suggest:") + "columns = {" + columns + "}\n";
     }
     if (inventory.columns.contains("height"))

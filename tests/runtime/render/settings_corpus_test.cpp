@@ -11,7 +11,7 @@ const auto settings_corpus =
     std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/runtime/render/corpus";
 
 TEST(SettingsCorpus, EveryFileIsReadOrRefused) {
-  test::expect_sound_files(settings_corpus, 3, test::find_fault_of_settings);
+  test::expect_sound_files(settings_corpus, 6, test::find_fault_of_settings);
 }
 
 TEST(SettingsCorpus, HoldsAWholeFileOfEverySetting) {

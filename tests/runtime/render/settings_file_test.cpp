@@ -68,6 +68,8 @@ TEST_F(SettingsFiles, GiveBackTextsThatLookLikeNumbersAndKeysThatAreNoWords) {
     file.window.push_back({"key-" + std::to_string(file.window.size()), text});
   for (const char* name : {"two words", "a.b", "", "\"'", "\n", "\xc3\xbc", " = true"})
     file.window.push_back({name, "1"});
+  file.window.push_back({"quotes", "'''a\\\n'b"});
+  file.window.push_back({"escapes", "a\tb\"\x7f"});
   file.render = {{"camera", "007"}};
   write_settings_file(file, "");
   const SettingsFile back = read_settings_file(file.path);
@@ -100,9 +102,10 @@ TEST_F(SettingsFiles, MessagesNameFileLineAndTheNearestKey) {
                       "\"render\"?"),
             std::string::npos);
   EXPECT_NE(message_of("render = 3\n").find("a.toml:1: render is not a table"), std::string::npos);
-  for (const char* bad : {"candidates = 0", "candidates = 1e9", "candidates = nan",
-                          "candidates = \"many\"", "candidates = [1]", "candidates = {}",
-                          "bounces = -1", "jitter = 2", "estimator = true", "sky = inf"}) {
+  for (const char* bad :
+       {"candidates = 0", "candidates = 1e9", "candidates = nan", "candidates = \"many\"",
+        "candidates = [1]", "candidates = {}", "bounces = -1", "jitter = 2", "estimator = true",
+        "sky = inf", "leave-out = ['aim,']", "leave-out = ['']"}) {
     const std::string message = message_of(std::string("[render]\n") + bad + "\n");
     EXPECT_NE(message.find("a.toml:2: "), std::string::npos) << bad << ": " << message;
   }
