@@ -55,9 +55,13 @@ struct MappedPrimitive {
   const std::byte* index_place(std::size_t corner) const {
     return indices.first ? indices.first + corner * indices.stride : nullptr;
   }
+  /// Returns the place of a vertex's three floats.
+  const std::byte* position_place(std::uint32_t vertex) const {
+    return positions.first + vertex * positions.stride;
+  }
   glm::vec3 position(std::uint32_t vertex) const {
     glm::vec3 result;
-    std::memcpy(&result, positions.first + vertex * positions.stride, sizeof result);
+    std::memcpy(&result, position_place(vertex), sizeof result);
     return result;
   }
   std::uint32_t feature(std::uint32_t vertex) const {

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <glm/vec3.hpp>
 
@@ -33,6 +34,16 @@ inline Float4 load_vec3(const std::byte* bytes) {
   Int4 bits;
   std::memcpy(&bits, bytes, sizeof bits);
   return take_xyz(bits);
+}
+
+/// Returns three floats as x, y, z; no byte behind them is read.
+inline Float4 load_three(const std::byte* bytes) {
+  using Long2 = std::uint64_t __attribute__((vector_size(16)));
+  std::uint64_t xy;
+  std::uint32_t z;
+  std::memcpy(&xy, bytes, sizeof xy);
+  std::memcpy(&z, bytes + sizeof xy, sizeof z);
+  return std::bit_cast<Float4>(Long2{xy, z});
 }
 
 inline Float4 to_float4(const glm::vec3& p) {

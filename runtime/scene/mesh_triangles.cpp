@@ -66,12 +66,15 @@ struct Converted {
   std::size_t dropped = 0;
 
   void append_to(TriangleList& out, const std::vector<Placement>& placements) const {
-    for (std::size_t i = 0; i < mapped.size(); ++i)
-      if (mapped[i])
-        for (const Placement& at : placements)
-          out.append(*mapped[i], at.to_scene, at.light, at.feature);
-      else
+    for (std::size_t i = 0; i < mapped.size(); ++i) {
+      if (!mapped[i]) {
         out.append(stored[i], corners[i]);
+        continue;
+      }
+      const auto primitive = std::make_shared<const MappedPrimitive>(*mapped[i]);
+      for (const Placement& at : placements)
+        out.append(primitive, at.to_scene, at.light, at.feature);
+    }
   }
 };
 

@@ -1,8 +1,17 @@
 #include "runtime/scene/triangle_list.h"
 
 #include <algorithm>
+#include <glm/ext/matrix_transform.hpp>
 
 namespace nightcity::scene {
+namespace {
+
+// A scene has fewer triangles than that (check_triangle_count).
+std::uint32_t to_number(std::size_t triangle) {
+  return static_cast<std::uint32_t>(triangle);
+}
+
+}  // namespace
 
 void TriangleList::copy_corners(std::size_t first, std::span<hierarchy::Corners> to) const {
   if (to.empty()) return;
@@ -16,8 +25,8 @@ void TriangleList::copy_corners(std::size_t first, std::span<hierarchy::Corners>
   while (done < to.size()) {
     const Block& block = blocks_[number++];
     for (std::size_t i = first + done; i < block.end && done < to.size(); ++i)
-      to[done++] = block.is_mapped ? block.corners(i - block.first)
-                                   : corners_of(stored_[block.stored + i - block.first]);
+      to[done++] = block.mapped ? block.corners(i - block.first)
+                                : corners_of(stored_[block.stored + i - block.first]);
   }
 }
 
@@ -46,11 +55,11 @@ void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, St
       if (!blocks_.empty()) {
         if (!block || number < block->first || number >= block->end) block = &block_of(number);
         f.place = block->stored + number - block->first;
-        if (block->is_mapped) f.block = block;
+        if (block->mapped) f.block = block;
       }
       if (f.block) {
         f.place = number - block->first;
-        __builtin_prefetch(block->mapped.index_place(3 * f.place));
+        __builtin_prefetch(block->mapped->index_place(3 * f.place));
       } else {
         __builtin_prefetch(&stored_[f.place]);
       }
@@ -58,10 +67,10 @@ void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, St
     for (std::size_t k = 0; k < count; ++k) {
       Found& f = found[k];
       if (!f.block) continue;
-      const MappedPrimitive& primitive = f.block->mapped;
+      const MappedPrimitive& primitive = *f.block->mapped;
       f.corners = primitive.corners(f.place);
       for (const std::uint32_t corner : f.corners)
-        __builtin_prefetch(primitive.positions.first + corner * primitive.positions.stride);
+        __builtin_prefetch(primitive.position_place(corner));
       fetch(primitive, f.corners[0]);
     }
     for (std::size_t k = 0; k < count; ++k) {
@@ -104,7 +113,7 @@ void TriangleList::gather(std::span<const std::uint32_t> numbers,
 gpu::TextureCorners TriangleList::texture_corners(std::size_t i) const {
   if (!blocks_.empty()) {
     const Block& block = block_of(i);
-    if (block.is_mapped) return without_texture;
+    if (block.mapped) return without_texture;
     i = block.stored + i - block.first;
   }
   return i < corners_.size() ? corners_[i] : without_texture;
@@ -118,10 +127,11 @@ void TriangleList::append(std::span<const gpu::Triangle> triangles,
     corners_.insert(corners_.end(), corners.begin(), corners.end());
   }
   if (!blocks_.empty()) {
-    if (blocks_.back().is_mapped) {
-      append(Block{size_, size_ + triangles.size(), false, false, stored_.size(), {}, {}});
+    if (blocks_.back().mapped) {
+      append(
+          Block{to_number(size_), to_number(size_ + triangles.size()), to_number(stored_.size())});
     } else {
-      blocks_.back().end += triangles.size();
+      blocks_.back().end += to_number(triangles.size());
       ends_.back() = blocks_.back().end;
       index_blocks();
     }
@@ -130,19 +140,21 @@ void TriangleList::append(std::span<const gpu::Triangle> triangles,
   size_ += triangles.size();
 }
 
-void TriangleList::append(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
-                          std::uint32_t light, std::uint32_t feature) {
-  if (blocks_.empty() && size_ > 0) append(Block{0, size_, false, false, 0, {}, {}});
-  glm::dmat4 moved(1.0);
-  moved[3] = to_scene[3];
-  append(Block{size_, size_ + primitive.triangles, true, moved == to_scene, 0, primitive, to_scene,
-               light, feature});
-  size_ += primitive.triangles;
+void TriangleList::append(std::shared_ptr<const MappedPrimitive> primitive,
+                          const glm::dmat4& to_scene, std::uint32_t light, std::uint32_t feature) {
+  if (blocks_.empty() && size_ > 0) append(Block{0, to_number(size_)});
+  const glm::vec3 shift(to_scene[3]);
+  const bool is_shifted = glm::translate(glm::dmat4(1), glm::dvec3(shift)) == to_scene;
+  const std::size_t end = size_ + primitive->triangles;
+  append(Block{to_number(size_), to_number(end), 0, light, feature, std::move(primitive),
+               is_shifted ? nullptr : std::make_shared<const glm::dmat4>(to_scene),
+               hierarchy::to_float4(shift)});
+  size_ = end;
 }
 
-void TriangleList::append(const Block& block) {
-  blocks_.push_back(block);
+void TriangleList::append(Block block) {
   ends_.push_back(block.end);
+  blocks_.push_back(std::move(block));
   index_blocks();
 }
 

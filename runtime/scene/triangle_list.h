@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/hierarchy/static_geometry.h"
 #include "formats/hierarchy/triangle_pieces.h"
 #include "formats/large_vector.h"
 #include "formats/mapped_primitive.h"
@@ -39,7 +40,7 @@ class TriangleList {
   gpu::Triangle operator[](std::size_t i) const {
     if (blocks_.empty()) return stored_[i];
     const Block& at = block_of(i);
-    return at.is_mapped ? at.make(i - at.first) : stored_[at.stored + i - at.first];
+    return at.mapped ? at.make(i - at.first) : stored_[at.stored + i - at.first];
   }
   Iterator begin() const;
   Iterator end() const;
@@ -66,7 +67,7 @@ class TriangleList {
   /// Appends the triangles of a primitive, which lie in files that keep() is given.
   /// `to_scene` leads from its frame to that of the scene. `light` and `feature` go before those of
   /// its vertices, unless they are NO_HIT.
-  void append(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
+  void append(std::shared_ptr<const MappedPrimitive> primitive, const glm::dmat4& to_scene,
               std::uint32_t light = NO_HIT, std::uint32_t feature = NO_HIT);
 
   /// Holds the files that mapped primitives lie in as long as the list or a copy of it lives.
@@ -82,47 +83,47 @@ class TriangleList {
   template <class Is>
   bool any_material(Is is) const {
     return std::any_of(blocks_.begin(), blocks_.end(),
-                       [&](const Block& b) { return b.is_mapped && is(b.mapped.material); }) ||
+                       [&](const Block& b) { return b.mapped && is(b.mapped->material); }) ||
            std::any_of(stored_.begin(), stored_.end(),
                        [&](const gpu::Triangle& triangle) { return is(triangle.material); });
   }
 
  private:
+  static glm::vec3 to_vec3(hierarchy::Float4 p) { return {p[0], p[1], p[2]}; }
   static hierarchy::Corners corners_of(const gpu::Triangle& t) {
     return {hierarchy::to_float4(t.v0), hierarchy::to_float4(t.v1), hierarchy::to_float4(t.v2)};
   }
-  // Consecutive triangles, from `first` to before `end`.
+  // Consecutive triangles, from `first` to before `end`. A scene may have a hundred thousand.
   struct Block {
-    std::size_t first, end;
-    bool is_mapped;
-    bool is_moved;       // by a translation alone
-    std::size_t stored;  // the first one's place, where they are stored
-    MappedPrimitive mapped;
-    glm::dmat4 to_scene;
+    std::uint32_t first, end;
+    std::uint32_t stored = 0;                        // the first one's place, where they are stored
     std::uint32_t light = NO_HIT, feature = NO_HIT;  // of the whole block
+    std::shared_ptr<const MappedPrimitive> mapped{};  // null: they are stored
+    std::shared_ptr<const glm::dmat4> to_scene{};     // null: `shift` alone
+    hierarchy::Float4 shift{};
 
     // Returns triangle `i` of a mapped block.
-    gpu::Triangle make(std::size_t i) const { return make(mapped.corners(i)); }
-    hierarchy::Corners corners(std::size_t i) const { return corners(mapped.corners(i)); }
+    gpu::Triangle make(std::size_t i) const { return make(mapped->corners(i)); }
+    hierarchy::Corners corners(std::size_t i) const { return corners(mapped->corners(i)); }
     // The same by its vertices.
     gpu::Triangle make(const std::array<std::uint32_t, 3>& at) const {
-      return {place(at[0]), mapped.material,
-              place(at[1]), feature != NO_HIT ? feature : mapped.feature(at[0]),
-              place(at[2]), light != NO_HIT ? light : mapped.light(at[0])};
+      return {to_vec3(place(at[0])), mapped->material,
+              to_vec3(place(at[1])), feature != NO_HIT ? feature : mapped->feature(at[0]),
+              to_vec3(place(at[2])), light != NO_HIT ? light : mapped->light(at[0])};
     }
     hierarchy::Corners corners(const std::array<std::uint32_t, 3>& at) const {
-      return {hierarchy::to_float4(place(at[0])), hierarchy::to_float4(place(at[1])),
-              hierarchy::to_float4(place(at[2]))};
+      return {place(at[0]), place(at[1]), place(at[2])};
     }
-    glm::vec3 place(std::uint32_t vertex) const {
-      const glm::dvec3 p(mapped.position(vertex));
-      return is_moved ? glm::vec3(p + glm::dvec3(to_scene[3]))
-                      : glm::vec3(to_scene * glm::dvec4(p, 1));
+    // A sum of two floats that is made of doubles and rounded is the one that is made of floats,
+    // because a double has more than twice as many digits (Figueroa, SIGNUM Newsletter 1995).
+    hierarchy::Float4 place(std::uint32_t vertex) const {
+      return to_scene ? hierarchy::to_float4(hierarchy::place(*to_scene, mapped->position(vertex)))
+                      : hierarchy::load_three(mapped->position_place(vertex)) + shift;
     }
   };
   static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_
 
-  void append(const Block& block);
+  void append(Block block);
   // Notes where triangles lie that the last block has been given.
   void index_blocks();
   // There must be blocks.

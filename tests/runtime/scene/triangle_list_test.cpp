@@ -62,7 +62,7 @@ TEST(TriangleList, ReadsTrianglesWhereTheyLie) {
     for (const MappedPrimitive& primitive :
          {square.mapped(square.bytes), square.mapped(square.shorts), square.mapped(square.words)}) {
       TriangleList list;
-      list.append(primitive, to_scene);
+      list.append(std::make_shared<MappedPrimitive>(primitive), to_scene);
       ASSERT_EQ(list.size(), 2u);
       const auto place = [&](int vertex) {
         return glm::vec3(to_scene *
@@ -79,6 +79,29 @@ TEST(TriangleList, ReadsTrianglesWhereTheyLie) {
       EXPECT_EQ(list[1].feature, NO_HIT);  // the null feature
       EXPECT_EQ(list[1].light, 5u);
     }
+  }
+}
+
+// Floats are added where their frame is moved by floats; a sum of doubles, rounded, is the same.
+TEST(TriangleList, PlacesTrianglesByFloatsAsByDoubles) {
+  std::mt19937 random(1);
+  const auto draw = [&] {
+    const float sign = random() % 2 ? 1 : -1;
+    return sign * std::ldexp(1 + float(random()) / 0x1p32f, int(random() % 60) - 30);
+  };
+  for (int run = 0; run < 100; ++run) {
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 300; ++i) corners.emplace_back(draw(), draw(), draw());
+    const glm::vec3 shift(draw(), draw(), draw());
+    MappedPrimitive primitive;
+    primitive.positions = Square::array_of(corners);
+    primitive.vertices = 300;
+    primitive.triangles = 100;
+    TriangleList list;
+    list.append(std::make_shared<MappedPrimitive>(primitive),
+                glm::translate(glm::dmat4(1), glm::dvec3(shift)));
+    for (std::size_t i = 0; i < 100; ++i)
+      ASSERT_EQ(list[i].v1, glm::vec3(glm::dvec3(corners[3 * i + 1]) + glm::dvec3(shift))) << i;
   }
 }
 
@@ -102,7 +125,7 @@ TEST(TriangleList, FindsTrianglesInBlocksOfBothKinds) {
       primitive.vertices = 3000;
       primitive.triangles = size;
       primitive.material = block;
-      list.append(primitive, glm::dmat4(1));
+      list.append(std::make_shared<MappedPrimitive>(primitive), glm::dmat4(1));
       for (std::size_t i = 0; i < size; ++i)
         expected.push_back(
             {corners[3 * i], block, corners[3 * i + 1], NO_HIT, corners[3 * i + 2], NO_HIT});
@@ -160,7 +183,7 @@ TEST(TriangleList, StaysWithinItsArraysWhateverTheyHoldNow) {
   square.features = {9, -1, 1e30f, nan};
   square.lights = {nan, -5, 1e30f, 3e9f};
   TriangleList list;
-  list.append(square.mapped(square.words), glm::dmat4(1));
+  list.append(std::make_shared<MappedPrimitive>(square.mapped(square.words)), glm::dmat4(1));
   EXPECT_EQ(list[0].v0, square.positions[3]);
   EXPECT_EQ(list[0].v1, square.positions[3]);
   for (const gpu::Triangle& triangle : list) {
