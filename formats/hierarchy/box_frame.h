@@ -4,8 +4,12 @@
 // hierarchy, which costs a ray nothing.) Triangles stay where they are.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstring>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "formats/hierarchy/bounds.h"
 
@@ -16,6 +20,27 @@ struct Corners {
   Float4 v0, v1, v2;
 
   Bounds bounds() const { return {min_of(min_of(v0, v1), v2), max_of(max_of(v0, v1), v2)}; }
+};
+
+/// The same in 36 bytes in place of 48, for the many that are kept.
+class PackedCorners {
+ public:
+  PackedCorners() = default;
+  explicit PackedCorners(const Corners& c) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Float4& from = i == 0 ? c.v0 : i == 1 ? c.v1 : c.v2;
+      std::memcpy(&m_[3 * i], &from, 3 * sizeof(float));
+    }
+  }
+  Corners unpack() const {
+    const auto at = [this](std::size_t i) {
+      return load_three(std::as_bytes(std::span(m_)).data() + 12 * i);
+    };
+    return {at(0), at(1), at(2)};
+  }
+
+ private:
+  std::array<float, 9> m_;
 };
 
 struct BoxFrame {

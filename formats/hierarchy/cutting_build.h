@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/free_memory.h"
 #include "formats/hierarchy/parallel_build.h"
 #include "formats/hierarchy/spatial_split.h"
 #include "formats/hierarchy/topology.h"
@@ -17,7 +18,7 @@ namespace nightcity::hierarchy {
 /// Pieces of triangles, and the corners of those that may be cut, as append_pieces makes them.
 struct CutPieces {
   LargeVector<TrianglePiece> pieces;
-  LargeVector<Corners> large;
+  LargeVector<PackedCorners> large;
   float margin_m = 0;  // of their boxes
 };
 
@@ -66,7 +67,7 @@ Root build_cutting(CutPieces pieces, std::uint32_t triangles, std::uint32_t max_
                   std::span(pieces.pieces), max_leaf, threads, nodes,
                   TriangleCuts(pieces.large, triangles, made, pieces.margin_m), room)
                   .build(0, stack);
-  pieces.large = {};
+  free_memory(pieces.large);
   LeafNumbers numbers(pieces.pieces, triangles, made, position);
   numbers.take(root.node);
   for (std::size_t i = base; i < nodes.size(); ++i)

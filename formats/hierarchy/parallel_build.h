@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "formats/free_memory.h"
 #include "formats/hierarchy/builder.h"
 #include "formats/large_vector.h"
 #include "formats/parallel.h"
@@ -152,7 +153,7 @@ class ParallelBuild {
       for (std::uint32_t& child : node.child) child = moved(child);
       nodes_.push_back(node);
     }
-    task.nodes = {};
+    free_memory(task.nodes);
     nodes_[base_ + task.node].child[task.child] = moved(task.root);
     tops_[task.node].need[task.child] = task.need;
   }

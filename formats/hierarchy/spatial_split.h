@@ -28,7 +28,7 @@ class TriangleCuts {
   /// `large`: the corners of large triangles. A hierarchy is over `triangles` triangles, and `cuts`
   /// has room for as many as it may make; no_axis marks those that were not made. Boxes of pieces are
   /// `margin_m` wider than what they hold.
-  TriangleCuts(std::span<const Corners> large, std::uint32_t triangles, std::span<Cut> cuts,
+  TriangleCuts(std::span<const PackedCorners> large, std::uint32_t triangles, std::span<Cut> cuts,
                float margin_m)
       : large_(large), triangles_(triangles), cuts_(cuts), margin_m_(margin_m) {}
 
@@ -114,7 +114,7 @@ class TriangleCuts {
       if (first == last)
         all[first].box.grow(box);
       else
-        add_slices(large_[piece.large()], box, bins, first, last, all);
+        add_slices(large_[piece.large()].unpack(), box, bins, first, last, all);
     }
     std::array<float, bin_count> right_area{};
     Bounds right;
@@ -206,7 +206,7 @@ class TriangleCuts {
            Range& range) const {
     if (range.room == 0) return false;
     const auto halves =
-        cut_box(large_[piece.large()], piece.bounds().widened(-margin_m_), axis, plane_m);
+        cut_box(large_[piece.large()].unpack(), piece.bounds().widened(-margin_m_), axis, plane_m);
     if (!halves) return false;
     const std::uint32_t number = range.next_cut++, below = triangles_ + 2 * number;
     cuts_[number] = {piece.first() & part_mask, static_cast<std::uint32_t>(axis) & 3u, plane_m};
@@ -217,7 +217,7 @@ class TriangleCuts {
     return true;
   }
 
-  std::span<const Corners> large_;
+  std::span<const PackedCorners> large_;
   std::uint32_t triangles_ = 0;
   std::span<Cut> cuts_;
   float margin_m_ = 0;

@@ -33,13 +33,13 @@ bool is_large(const Bounds& box) {
 
 void append_pieces(std::span<const Corners> chunk, bool pairs, std::uint32_t number,
                    const BoxFrame& frame, std::vector<TrianglePiece>& pieces,
-                   LargeVector<Corners>* large) {
+                   LargeVector<PackedCorners>* large) {
   for (std::size_t i = 0; i < chunk.size();) {
     Bounds box = frame.bounds_of(chunk[i]);
     std::uint32_t count = 1, mark = 0;
     if (large && is_large(box)) {
       mark = TrianglePiece::large_bit | static_cast<std::uint32_t>(large->size());
-      large->push_back(frame.turn(chunk[i]));
+      large->emplace_back(frame.turn(chunk[i]));
     } else if (pairs && i + 1 < chunk.size() && share_edge(chunk[i], chunk[i + 1])) {
       const Bounds next = frame.bounds_of(chunk[i + 1]);
       if (is_compact(box, next) && !(large && is_large(next))) {

@@ -70,6 +70,6 @@ constexpr float min_cut_m = 4;
 /// marked so; null = none may.
 void append_pieces(std::span<const Corners> chunk, bool pairs, std::uint32_t number,
                    const BoxFrame& frame, std::vector<TrianglePiece>& pieces,
-                   LargeVector<Corners>* large = nullptr);
+                   LargeVector<PackedCorners>* large = nullptr);
 
 }  // namespace nightcity::hierarchy

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/cancel.h"
+#include "formats/free_memory.h"
 #include "runtime/scene/alias_table.h"
 #include "runtime/scene/light_tree.h"
 
@@ -114,7 +115,7 @@ void DeviceLights::upload_lit(scene::LitLights lit, Tables& tables) const {
   tables.list = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit.list));
   tables.alias = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit.alias));
   // The device has the table now; the switches are kept to detect the next change.
-  lit.alias = {};
+  free_memory(lit.alias);
   tables.lit = std::move(lit);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formats/error.h"
+#include "formats/free_memory.h"
 #include "formats/srgb.h"
 #include "runtime/render/device_triangles.h"
 
@@ -29,11 +30,6 @@ void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
                              " bytes of memory on device '" + device.info().name + "', where " +
                              std::to_string(free) +
                              " are free: take another one (--device), or bake a smaller area");
-}
-
-template <class List>
-void free_memory_of(List& values) {
-  values = List();
 }
 
 }  // namespace
@@ -118,12 +114,12 @@ void DeviceScene::store_textures(const scene::RenderScene& scene) {
 void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {
   LargeVector<std::uint32_t> once;
   storage_.push_back(upload_triangles(device_, scene, order_triangles(device_, scene, once)));
-  once = {};
+  free_memory(once);
   addresses_.triangles = storage_.back().address();
   if (released) {
-    free_memory_of(released->triangles);
-    free_memory_of(released->triangle_order);
-    free_memory_of(released->texels);
+    free_memory(released->triangles);
+    free_memory(released->triangle_order);
+    free_memory(released->texels);
   }
   addresses_.root = scene.root;
   addresses_.boxes_along = scene.boxes_along;
@@ -146,8 +142,8 @@ void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderS
     store_traffic(scene, instances);
   }
   if (!released) return;
-  free_memory_of(released->nodes);
-  free_memory_of(released->instances);
+  free_memory(released->nodes);
+  free_memory(released->instances);
 }
 
 void DeviceScene::store_traffic(const scene::RenderScene& scene,

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "formats/free_memory.h"
 #include "formats/parallel.h"
 #include "formats/picture_mean.h"
 #include "formats/srgb.h"
@@ -100,7 +101,7 @@ void add_textures(RenderScene& out, const std::vector<SceneMaterial>& materials,
     shape.levels = static_cast<std::uint32_t>(unpacked[i].size());
     for (const Level& level : unpacked[i])
       out.texels.insert(out.texels.end(), level.texels.begin(), level.texels.end());
-    unpacked[i] = {};
+    free_memory(unpacked[i]);
   }
   for (std::size_t i = 0; i < materials.size(); ++i) {
     if (!materials[i].texture || !is_matt(out.materials[i])) continue;

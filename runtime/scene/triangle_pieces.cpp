@@ -4,6 +4,7 @@
 #include <mutex>
 #include <vector>
 
+#include "formats/free_memory.h"
 #include "formats/parallel.h"
 
 namespace nightcity::scene {
@@ -29,13 +30,13 @@ LargeVector<TrianglePiece> make_pieces(const TriangleList& triangles, std::size_
                                        std::size_t count, bool pairs,
                                        const hierarchy::BoxFrame& frame, unsigned threads,
                                        hierarchy::Bounds& box,
-                                       LargeVector<hierarchy::Corners>* large) {
+                                       LargeVector<hierarchy::PackedCorners>* large) {
   const std::size_t chunks = (count + piece_chunk - 1) / piece_chunk;
   LargeVector<TrianglePiece> pieces;
   pieces.reserve(count);  // room that is not used takes no memory
   std::mutex appending;
   std::vector<std::vector<TrianglePiece>> waiting(chunks);
-  std::vector<LargeVector<hierarchy::Corners>> large_waiting(large ? chunks : 0);
+  std::vector<LargeVector<hierarchy::PackedCorners>> large_waiting(large ? chunks : 0);
   std::size_t next = 0;
   run_parallel(chunks, threads, [&](std::size_t i) {
     const std::size_t begin = i * piece_chunk;
@@ -55,10 +56,10 @@ LargeVector<TrianglePiece> make_pieces(const TriangleList& triangles, std::size_
       if (large) {
         number_large(waiting[next], static_cast<std::uint32_t>(large->size()));
         large->insert(large->end(), large_waiting[next].begin(), large_waiting[next].end());
-        large_waiting[next] = {};
+        free_memory(large_waiting[next]);
       }
       pieces.insert(pieces.end(), waiting[next].begin(), waiting[next].end());
-      waiting[next] = {};
+      free_memory(waiting[next]);
     }
   });
   return pieces;

@@ -12,10 +12,9 @@ namespace nightcity::scene {
 /// Returns the pieces of `count` triangles from `first` on, in their order; numbers count from
 /// `first` on. `pairs` and `frame` are as append_pieces has them. `box` grows by the triangles, in
 /// the scene's own frame. `large`: gets the triangles that may be cut; null = none may.
-LargeVector<hierarchy::TrianglePiece> make_pieces(const TriangleList& triangles, std::size_t first,
-                                                  std::size_t count, bool pairs,
-                                                  const hierarchy::BoxFrame& frame,
-                                                  unsigned threads, hierarchy::Bounds& box,
-                                                  LargeVector<hierarchy::Corners>* large = nullptr);
+LargeVector<hierarchy::TrianglePiece> make_pieces(
+    const TriangleList& triangles, std::size_t first, std::size_t count, bool pairs,
+    const hierarchy::BoxFrame& frame, unsigned threads, hierarchy::Bounds& box,
+    LargeVector<hierarchy::PackedCorners>* large = nullptr);
 
 }  // namespace nightcity::scene

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "formats/free_memory.h"
 #include "tools/terrain/ground_points.h"
 #include "tools/terrain/made_surface.h"
 #include "tools/terrain/thin_surface.h"
@@ -101,7 +102,7 @@ void Terrain::build(double margin_m, double max_error_m, const std::optional<Ext
     if (max_error_m > 0) state.made = thin_surface(state.made, max_error_m);
     add(state.made, SurfaceClass::terrain);
   }
-  state.break_lines = {};
+  free_memory(state.break_lines);
   for (GroundPoints* points : {&state.relief_points, &state.ground_points, &state.road_points})
     points->take();
 }

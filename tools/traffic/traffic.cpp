@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "formats/error.h"
+#include "formats/free_memory.h"
 #include "formats/traffic_pose.h"
 #include "tools/random.h"
 #include "tools/stopwatch.h"
@@ -100,10 +101,10 @@ class TripMaker {
       one.trip.first_knot = static_cast<uint>(set.knots.size());
       one.trip.knot_count = static_cast<uint>(one.knots.size());
       set.knots.insert(set.knots.end(), one.knots.begin(), one.knots.end());
-      one.knots = {};  // free it at once: two copies of all knots would take too much memory
+      free_memory(one.knots);  // two copies of all knots would take too much
       set.trips.push_back(one.trip);
     }
-    fitted_ = {};
+    free_memory(fitted_);
   }
 
  private:

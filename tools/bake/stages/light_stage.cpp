@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "formats/free_memory.h"
 #include "tools/bake/scene/lamp_models.h"
 #include "tools/bake/scene/materials.h"
 #include "tools/bake/scene/punctual.h"
@@ -50,7 +51,7 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   }
   add_lamp_models(outputs.scene, lamps.lamps, georeference,
                   static_cast<std::uint32_t>(BakeMaterial::lamp_post));
-  lamps.lamps = {};
+  free_memory(lamps.lamps);
   const auto write_rectangle = [&](lights::LitRectangle rectangle, WindowModels& models) {
     edits.change(rectangle);
     Light light = lights::to_light(rectangle, georeference, schedules);
