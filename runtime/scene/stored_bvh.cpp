@@ -213,17 +213,19 @@ std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleLi
   const auto positions = static_cast<std::uint32_t>(order.size());
   Topology topology;
   TriangleParts parts;
-  std::array<std::string, 3> faults;
-  run_parallel(3, threads, [&](std::size_t i) {
+  std::array<std::string, 2> faults;
+  run_parallel(2, threads, [&](std::size_t i) {
     faults[i] =
         i == 0
             ? hierarchy::decode_topology(stored.topology, positions, max_leaf, max_stack, topology)
-        : i == 1
-            ? hierarchy::decode_order(stored.order, static_cast<std::uint32_t>(first), order, cuts)
-            : parts.measure(cuts, triangles, first, stored.triangles, frame);
+            : hierarchy::decode_order(stored.order, static_cast<std::uint32_t>(first), order, cuts);
   });
   for (const std::string& fault : faults)
     if (!fault.empty()) return fault;
+  if (const std::string fault =
+          parts.measure(cuts, triangles, first, stored.triangles, frame, threads);
+      !fault.empty())
+    return fault;
   const std::size_t base = nodes.size();
   Measuring measuring(topology, triangles, parts, frame, first + more_before, order, nodes);
   const Box box = to_box(measuring.measure(threads));

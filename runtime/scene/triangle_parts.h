@@ -20,7 +20,8 @@ class TriangleParts {
   /// without its margin. `cuts` are as decode_cuts leaves them. Returns why they are refused, ""
   /// where they are not: a cut that misses its part.
   std::string measure(std::span<const hierarchy::Cut> cuts, const TriangleList& triangles,
-                      std::size_t first, std::uint32_t count, const hierarchy::BoxFrame& frame);
+                      std::size_t first, std::uint32_t count, const hierarchy::BoxFrame& frame,
+                      unsigned threads);
 
   /// Holds the place of each part in a list, and its box.
   using Found = std::vector<std::pair<std::size_t, hierarchy::Bounds>>;
