@@ -170,7 +170,7 @@ std::span<const BarrierKind> barrier_kinds() {
 }
 
 std::optional<BarrierDesign> read_design(const osm::OsmTags& tags, const char*& reason) {
-  // Of several ("wall;fence") the first that is drawn.
+  // A list ("wall;fence") is the first of its kinds that is drawn.
   const std::string all = tag_of(tags, "barrier");
   const BarrierKind* kind = nullptr;
   for (const std::string_view part : osm::split_list(all))

@@ -67,7 +67,7 @@ constexpr std::array rows{
     Row{"golf", "green", 480, GroundKind::grass, true},
     Row{"golf", "tee", 480, GroundKind::grass, true},
     Row{"golf", "fairway", 470, GroundKind::grass, true},
-    // What grows or lies there, whatever the land is used for.
+    // Land cover grows or lies there, whatever the land is used for.
     Row{"landcover", "grass", 460, GroundKind::grass, false},
     Row{"landcover", "trees", 460, GroundKind::woodland, false},
     Row{"landcover", "scrub", 460, GroundKind::scrub, false},
@@ -151,7 +151,7 @@ bool lies_elsewhere(const osm::OsmTags& tags) {
          names_other_levels(tags);
 }
 
-// What the kind of a thing says in more detail than its row.
+// Returns the kind of a row, or the one that other tags say in more detail.
 GroundKind refine(const Row& row, const osm::OsmTags& tags) {
   const std::string basin = tag_of(tags, "basin"), sport = tag_of(tags, "sport");
   // OSM wiki, "Key:basin": these hold water after heavy rain alone.

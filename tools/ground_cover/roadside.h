@@ -1,4 +1,4 @@
-// What lies along a carriageway on one side, by the tags of its way.
+// Reads from the tags of a way what lies along its carriageway on one side.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct Roadside {
   double width_m() const { return bay_m + track_m + pavement_m; }
 };
 
-/// Returns the cycle track and the pavement of a side ("left", "right") with the widths and surfaces
-/// that tags give them, or the pavement that is usual for the class of road.
+/// Returns the cycle track and the pavement of a side ("left", "right") with the widths and
+/// surfaces that tags give them, or the pavement that is usual for the class of road.
 Roadside read_roadside(const osm::OsmTags& tags, const roads::RoadClass& road, const char* side);
 
 }  // namespace nightcity::ground_cover

@@ -29,8 +29,8 @@ std::optional<int> take_month(std::string_view& text);
 /// schools. Besides the words of the wiki it knows those that people write in English and German.
 std::optional<int> take_weekday(std::string_view& text);
 
-/// Parses a clock ("23:00", "7.05", "18h30", "6pm", "6:30 pm", "noon") as minutes after midnight, to
-/// 48:00.
+/// Parses a clock ("23:00", "7.05", "18h30", "6pm", "6:30 pm", "noon") as minutes after midnight,
+/// to 48:00.
 std::optional<int> take_clock(std::string_view& text);
 
 /// Writes what people put around and between hours as the wiki does: "daily 6 pm to 11 pm", "18:00

@@ -70,8 +70,8 @@ Luminaire read_ies(const std::filesystem::path& file);
 /// Reads EULUMDAT (.ldt) with any symmetry. Throws Error with the line.
 Luminaire read_eulumdat(const TextLines& lines);
 Luminaire read_eulumdat(const std::filesystem::path& file);
-/// Reads ANSI/IES TM-33-18 or -22 (XML) with luminous intensities of any type. Throws Error with the
-/// line.
+/// Reads ANSI/IES TM-33-18 or -22 (XML) with luminous intensities of any type. Throws Error with
+/// the line.
 Luminaire read_tm33(const TextLines& lines);
 /// Reads a GLDF container (a .zip with a product.xml that names files of photometry): the first
 /// photometry that it defines, which a note says where there are several.

@@ -1,5 +1,5 @@
-// ANSI/IES TM-33-18 and -22 (ATLA S001, UNI 11733): an XML document whose emitters list candela, each
-// with its horizontal and vertical angle.
+// ANSI/IES TM-33-18 and -22 (ATLA S001, UNI 11733): an XML document whose emitters list candela,
+// each with its horizontal and vertical angle.
 #include <algorithm>
 #include <map>
 #include <pugixml.hpp>

@@ -1,4 +1,4 @@
-// What the tags of a tree, a row of trees or a wood say about its trees.
+// Reads from the tags of a tree, a row of trees or a wood what its trees are like.
 #pragma once
 
 #include <optional>

@@ -44,8 +44,8 @@ TEST(Skin, ColoursInListsInGermanAndOfRal) {
   const auto skin = [](const char* colour) {
     return find_skin({{"building:colour", colour}}, Skin::walls);
   };
-  for (const char* red : {"#F00", "#ff0000ff", "red;white", "red|white", "red, white",
-                          "red/white", "unheard of;red", "rot", "rgb(255, 0, 0)"})
+  for (const char* red : {"#F00", "#ff0000ff", "red;white", "red|white", "red, white", "red/white",
+                          "unheard of;red", "rot", "rgb(255, 0, 0)"})
     EXPECT_EQ(skin(red), skin("#FF0000")) << red;
   EXPECT_EQ(skin("wei\xc3\x9f"), skin("#FFFFFF"));
   EXPECT_EQ(skin("hellgrau"), skin("#D3D3D3"));
