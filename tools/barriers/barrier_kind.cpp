@@ -170,8 +170,12 @@ std::span<const BarrierKind> barrier_kinds() {
 }
 
 std::optional<BarrierDesign> read_design(const osm::OsmTags& tags, const char*& reason) {
-  const std::string value = tag_of(tags, "barrier");
-  const BarrierKind* kind = find_row(kinds, value);
+  // A list ("wall;fence") is the first of its kinds that is drawn.
+  const std::string all = tag_of(tags, "barrier");
+  const BarrierKind* kind = nullptr;
+  for (const std::string_view part : osm::split_list(all))
+    if (!kind) kind = find_row(kinds, osm::normalise_tag(part));
+  const std::string value = kind ? std::string(kind->value) : all;
   if (!kind) {
     reason = explain_unknown(value);
     return std::nullopt;
@@ -189,7 +193,8 @@ std::optional<BarrierDesign> read_design(const osm::OsmTags& tags, const char*& 
     choose_fence(tags, design);
   else if (value != "hedge" && value != "guard_rail")
     choose_wall(tags, design);
-  const auto height = length_of(tags, "height", 0.2, 30);
+  auto height = length_of(tags, "height", 0.2, 30);
+  if (!height) height = length_of(tags, "est_height", 0.2, 30);
   const auto width = length_of(tags, "width", 0.05, 10);
   design.assumed_height = !height;
   design.kind.height_m = height.value_or(kind->height_m);

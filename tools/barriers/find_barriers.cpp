@@ -14,6 +14,7 @@
 #include "tools/ground_cover/clip_segment.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/mesh/partition.h"
+#include "tools/osm/osm_selection.h"
 
 namespace nightcity::barriers {
 namespace {
@@ -54,7 +55,7 @@ class Builder {
     if (!design) return leave_out(reason, line.length_m());
     count_assumed(*design);
     design_ = design->kind;
-    const bool is_area = ground_cover::tag_of(way.tags, "area") == "yes";
+    const bool is_area = osm::says_area(way.tags);
     if (!is_area || !line.is_closed() || design_.width_m == 0 || !add_area(line)) add_line(line);
   }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tools/ground_cover/way_line.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
 
@@ -41,7 +42,7 @@ Openings::Openings(const osm::OsmData& map) {
     for (const glm::dvec2& p : way.lon_lat) widths_.try_emplace(p, 0.0);
   for (const osm::OsmWay& way : map.highways) {
     // The outline of a square runs along the walls around it.
-    if (ground_cover::tag_of(way.tags, "area") == "yes") continue;
+    if (osm::says_area(way.tags)) continue;
     const double width_m = roads::carriageway_width(way.tags);
     for (const glm::dvec2& p : way.lon_lat) widen(p, width_m);
   }

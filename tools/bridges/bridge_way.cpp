@@ -7,6 +7,7 @@
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/tracks.h"
 #include "tools/ground_cover/way_line.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
 
@@ -46,7 +47,7 @@ CarriedKind find_kind(Carried kind, bool electric) {
 }
 
 std::optional<Carried> find_carried(const osm::OsmTags& tags) {
-  if (tag_of(tags, "area") == "yes") return std::nullopt;
+  if (osm::says_area(tags)) return std::nullopt;
   if (const auto road = roads::read_carriageway(tags)) {
     if (ground_cover::lies_inside(tags)) return std::nullopt;
     return road->road_class->tier == roads::RoadTier::path ? Carried::path : Carried::street;

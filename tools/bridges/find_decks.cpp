@@ -11,6 +11,7 @@
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
+#include "tools/osm/osm_selection.h"
 
 namespace nightcity::bridges {
 namespace {
@@ -32,7 +33,7 @@ bool is_square(const osm::OsmTags& tags) {
   const std::string highway = ground_cover::tag_of(tags, "highway");
   if (is_bridge(tags) || ground_cover::lies_inside(tags)) return false;
   return highway == "platform" || ground_cover::tag_of(tags, "railway") == "platform" ||
-         (!highway.empty() && ground_cover::tag_of(tags, "area") == "yes");
+         (!highway.empty() && osm::says_area(tags));
 }
 
 bool leads_up(const osm::OsmTags& tags) {

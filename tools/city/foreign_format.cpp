@@ -101,7 +101,7 @@ constexpr std::array json_words{
     Words{{"\"osm3s\"", ""},
           {"is an answer of Overpass in JSON", "ask for XML instead ([out:xml])"}},
     Words{{"\"elements\"", "\"generator\""},
-          {"is an answer of Overpass in JSON", "ask for XML instead ([out:xml])"}},
+          {"is OpenStreetMap's data in JSON", "ask for XML instead ([out:xml] of Overpass)"}},
     Words{{"\"CityJSONExtension\"", ""},
           {"is an extension of CityJSON, which describes additions to city models and is none"}},
     Words{{"\"Topology\"", "\"arcs\""},
@@ -198,8 +198,8 @@ std::optional<Foreign> find_xml(std::string_view text, std::string_view root) {
     return Foreign{"is GML of the Geospatial Information Authority of Japan",
                    "an elevation model belongs in [terrain] dem under its own name "
                    "(FG-GML-...-DEM...xml); otherwise convert it to GeoTIFF first"};
-  if (root.starts_with("iestm33"))  // and the year of the edition
-    return Foreign{"is photometry in TM-33", "export it as IES LM-63 or EULUMDAT"};
+  if (root.starts_with("iestm33") || root == "luminaireopticaldata")  // and the edition's year
+    return Foreign{"is photometry in TM-33", "it belongs in [[lamps.luminaires]]"};
   for (const Root& row : roots)
     if (row.name == root) return row.is;
   if (to_lower(text.substr(0, 64)).starts_with("<!doctype html")) return roots[0].is;

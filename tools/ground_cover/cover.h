@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "tools/ground_cover/ground_kind.h"
 #include "tools/ground_cover/kerb_ramps.h"
 #include "tools/mesh/partition.h"
+#include "tools/osm/osm_data.h"
 
 namespace nightcity::ground_cover {
 
@@ -28,6 +30,7 @@ struct CoverArea {
   int rank = 0;
   Surface surface;
   std::vector<std::vector<glm::dvec2>> rings;  // E, N of the city's frame, m
+  std::shared_ptr<const osm::OsmTags> tags{};  // of woods alone: what their trees are like
 };
 
 /// Markings lie flush in the ground on top of its cover; they are in order of priority.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "formats/finite.h"
 #include "tools/ground_cover/measured_line.h"
 #include "tools/ground_cover/way_line.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -17,7 +19,14 @@ constexpr double bar_m = 0.5;
 // Returns whether the tags of a crossing say that it has bars.
 bool says_bars(const osm::OsmTags& tags) {
   const std::string markings = tag_of(tags, "crossing:markings"), kind = tag_of(tags, "crossing");
-  if (!markings.empty()) return markings == "zebra" || markings.starts_with("zebra:");
+  // OSM wiki, "Key:crossing:markings": a ladder is bars between two lines.
+  if (!markings.empty()) {
+    const auto parts = osm::split_list(markings);
+    return std::any_of(parts.begin(), parts.end(), [](std::string_view part) {
+      const std::string_view shape = part.substr(0, part.find(':'));
+      return shape == "zebra" || shape == "ladder";
+    });
+  }
   return kind == "zebra" || kind == "marked" || kind == "uncontrolled" ||
          tag_of(tags, "crossing_ref") == "zebra";
 }

@@ -51,6 +51,8 @@ constexpr std::array words{
     Word{"asphalt", GroundKind::asphalt},
     Word{"chipseal", GroundKind::asphalt},
     Word{"paved", GroundKind::asphalt},
+    Word{"tarmac", GroundKind::asphalt},
+    Word{"bitumen", GroundKind::asphalt},
     Word{"concrete", GroundKind::concrete},
     Word{"concrete:plates", GroundKind::concrete},
     Word{"concrete:lanes", GroundKind::concrete},
@@ -60,6 +62,8 @@ constexpr std::array words{
     Word{"bricks", GroundKind::paving_stones},
     Word{"brick", GroundKind::paving_stones},
     Word{"stone", GroundKind::paving_stones},
+    Word{"stepping_stones", GroundKind::paving_stones},
+    Word{"tiles", GroundKind::paving_stones},
     Word{"sett", GroundKind::sett},
     Word{"cobblestone", GroundKind::sett},
     Word{"cobblestone:flattened", GroundKind::sett},
@@ -69,6 +73,10 @@ constexpr std::array words{
     Word{"pebblestone", GroundKind::gravel},
     Word{"compacted", GroundKind::gravel},
     Word{"grit", GroundKind::gravel},
+    Word{"pebbles", GroundKind::gravel},
+    Word{"shingle", GroundKind::gravel},
+    Word{"crushed_limestone", GroundKind::gravel},
+    Word{"shells", GroundKind::gravel},
     Word{"sand", GroundKind::sand},
     Word{"ground", GroundKind::soil},
     Word{"dirt", GroundKind::soil},
@@ -104,8 +112,11 @@ std::optional<GroundKind> find_surface(std::string_view value) {
   const auto parts = osm::split_list(value);
   if (parts.empty()) return std::nullopt;
   const std::string word = osm::normalise_tag(parts.front());
-  for (const Word& row : words)
-    if (row.value == word) return row.kind;
+  // Behind a colon stands how something is laid, or the size of its stones: "paving_stones:30".
+  for (const std::string_view wanted :
+       {std::string_view(word), std::string_view(word).substr(0, word.find(':'))})
+    for (const Word& row : words)
+      if (row.value == wanted) return row.kind;
   return std::nullopt;
 }
 

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
+#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 #include "tools/ring_area.h"
 #include "tools/roads/road_class.h"
 
@@ -54,11 +58,35 @@ constexpr std::array rows{
     Row{"leisure", "pitch", 515, GroundKind::grass, true},
     Row{"leisure", "playground", 500, GroundKind::sand, true},
     Row{"golf", "bunker", 500, GroundKind::sand, false},
+    Row{"golf", "water_hazard", 600, GroundKind::water, false},
+    Row{"golf", "lateral_water_hazard", 600, GroundKind::water, false},
+    Row{"landcover", "water", 600, GroundKind::water, false},
+    Row{"landuse", "salt_pond", 600, GroundKind::water, false},
+    Row{"aeroway", "helipad", 545, GroundKind::concrete, true},
+    Row{"leisure", "schoolyard", 490, GroundKind::asphalt, true},
+    Row{"golf", "green", 480, GroundKind::grass, true},
+    Row{"golf", "tee", 480, GroundKind::grass, true},
+    Row{"golf", "fairway", 470, GroundKind::grass, true},
+    // Land cover grows or lies there, whatever the land is used for.
+    Row{"landcover", "grass", 460, GroundKind::grass, false},
+    Row{"landcover", "trees", 460, GroundKind::woodland, false},
+    Row{"landcover", "scrub", 460, GroundKind::scrub, false},
+    Row{"landcover", "sand", 460, GroundKind::sand, false},
+    Row{"landcover", "gravel", 460, GroundKind::gravel, false},
     Row{"natural", "beach", 450, GroundKind::sand, true},
     Row{"natural", "sand", 450, GroundKind::sand, false},
     Row{"natural", "shingle", 450, GroundKind::gravel, false},
     Row{"natural", "scree", 450, GroundKind::gravel, false},
     Row{"natural", "bare_rock", 450, GroundKind::gravel, false},
+    Row{"natural", "rock", 450, GroundKind::gravel, false},
+    Row{"natural", "mud", 450, GroundKind::soil, false},
+    // OSM wiki, "Tag:natural=wetland": what kind of wetland it is says what is seen.
+    Row{"wetland", "tidalflat", 431, GroundKind::soil, false},
+    Row{"wetland", "mud", 431, GroundKind::soil, false},
+    Row{"wetland", "saltmarsh", 431, GroundKind::grass, false},
+    Row{"wetland", "wet_meadow", 431, GroundKind::grass, false},
+    Row{"wetland", "swamp", 431, GroundKind::woodland, false},
+    Row{"wetland", "mangrove", 431, GroundKind::woodland, false},
     Row{"landuse", "flowerbed", 440, GroundKind::soil, false},
     Row{"natural", "shrubbery", 435, GroundKind::scrub, false},
     Row{"natural", "scrub", 430, GroundKind::scrub, false},
@@ -70,6 +98,8 @@ constexpr std::array rows{
     Row{"landuse", "meadow", 410, GroundKind::grass, false},
     Row{"landuse", "village_green", 410, GroundKind::grass, false},
     Row{"natural", "grassland", 410, GroundKind::grass, false},
+    Row{"natural", "fell", 410, GroundKind::grass, false},
+    Row{"natural", "tundra", 410, GroundKind::grass, false},
     Row{"landuse", "greenhouse_horticulture", 400, GroundKind::soil, false},
     Row{"landuse", "plant_nursery", 400, GroundKind::farmland, false},
     Row{"leisure", "garden", 360, GroundKind::grass, true},
@@ -98,18 +128,62 @@ std::optional<GroundKind> surface_of(const osm::OsmTags& tags) {
   return found == tags.end() ? std::nullopt : find_surface(found->second);
 }
 
-bool lies_below(const osm::OsmTags& tags) {
-  const std::string tunnel = tag_of(tags, "tunnel"), place = tag_of(tags, "location");
+// Returns whether all levels that a tag names are another than the ground's.
+bool names_other_levels(const osm::OsmTags& tags) {
+  const auto found = tags.find("level");
+  if (found == tags.end()) return false;
+  const auto levels = osm::split_list(found->second);
+  return !levels.empty() && std::all_of(levels.begin(), levels.end(), [](std::string_view text) {
+    const auto level = osm::take_number(text);
+    return level && text.empty() && *level != 0;
+  });
+}
+
+// Below the ground, in a building or on its roof.
+bool lies_elsewhere(const osm::OsmTags& tags) {
+  const std::string tunnel = tag_of(tags, "tunnel"), place = tag_of(tags, "location"),
+                    parking = tag_of(tags, "parking");
   return (!tunnel.empty() && tunnel != "no") || place == "underground" || place == "roof" ||
          place == "indoor" || place == "rooftop" || tag_of(tags, "indoor") == "yes" ||
-         tag_of(tags, "parking") == "underground" || tag_of(tags, "parking") == "multi_storey" ||
-         tag_of(tags, "parking") == "rooftop";
+         parking == "underground" || parking == "multi_storey" || parking == "rooftop" ||
+         (tag_of(tags, "amenity") == "parking" && tag_of(tags, "layer").starts_with("_")) ||
+         (tag_of(tags, "leisure") == "swimming_pool" && tag_of(tags, "covered") == "yes") ||
+         names_other_levels(tags);
+}
+
+// Returns the kind of a row, or the one that other tags say in more detail.
+GroundKind refine(const Row& row, const osm::OsmTags& tags) {
+  const std::string basin = tag_of(tags, "basin"), sport = tag_of(tags, "sport");
+  // OSM wiki, "Key:basin": these hold water after heavy rain alone.
+  if (row.kind == GroundKind::water && (basin == "detention" || basin == "infiltration"))
+    return GroundKind::grass;
+  if (row.value == "pitch" && sport == "beachvolleyball") return GroundKind::sand;
+  // Balls must bounce there; asphalt is an assumption.
+  if (row.value == "pitch" && (sport == "basketball" || sport == "streetball" ||
+                               sport == "skateboard" || sport == "netball"))
+    return GroundKind::asphalt;
+  return row.kind;
+}
+
+// Returns whether one of the values of a tag ("grass;meadow") is this.
+bool has_value(const osm::OsmTags& tags, const std::string& key, std::string_view value) {
+  const auto found = tags.find(key);
+  if (found == tags.end()) return false;
+  const auto parts = osm::split_list(found->second);
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](std::string_view part) { return osm::normalise_tag(part) == value; });
 }
 
 // Outlines of streets: area:highway, and highway with area=yes.
 std::optional<LandUse> find_street_outline(const osm::OsmTags& tags) {
   std::string highway = tag_of(tags, "area:highway");
-  if (highway.empty() && tag_of(tags, "area") == "yes") highway = tag_of(tags, "highway");
+  // A multipolygon is an area without saying so.
+  if (highway.empty() && (osm::says_area(tags) || tag_of(tags, "type") == "multipolygon"))
+    highway = tag_of(tags, "highway");
+  if (highway == "traffic_island")
+    return LandUse{square_rank, {surface_of(tags).value_or(GroundKind::paving_stones)}};
+  if (highway == "emergency")
+    return LandUse{square_rank, {surface_of(tags).value_or(GroundKind::asphalt)}};
   // Areas of many levels (stations) and rest areas are no surfaces.
   const roads::RoadClass* road = roads::find_road_class(highway);
   if (!road || highway == "corridor") return std::nullopt;
@@ -125,15 +199,17 @@ std::optional<LandUse> find_street_outline(const osm::OsmTags& tags) {
 }  // namespace
 
 std::optional<LandUse> find_land_use(const osm::OsmTags& tags) {
-  if (lies_below(tags)) return std::nullopt;
+  if (lies_elsewhere(tags)) return std::nullopt;
   if (const auto street = find_street_outline(tags)) return street;
   if (tags.contains("building") || tags.contains("building:part")) return std::nullopt;
+  const bool is_no_area = tag_of(tags, "area") == "no";
   std::optional<LandUse> best;
   for (const Row& row : rows) {
     if (best && best->rank >= row.rank) continue;
-    if (tag_of(tags, std::string(row.key).c_str()) != row.value) continue;
+    if (!has_value(tags, std::string(row.key), row.value)) continue;
+    if (is_no_area && row.value == "track") continue;  // a line that ends where it begins
     const auto said = row.follows_surface ? surface_of(tags) : std::nullopt;
-    best = LandUse{row.rank, {said.value_or(row.kind), false, false}};
+    best = LandUse{row.rank, {said.value_or(refine(row, tags)), false, false}};
   }
   return best;
 }
@@ -155,12 +231,17 @@ void add_land(std::span<const osm::MapArea> areas, const place::LonLatToFrame& t
   for (const osm::MapArea& area : areas) {
     const auto use = find_land_use(area.tags);
     if (!use) continue;
+    if (const auto surface = area.tags.find("surface");
+        surface != area.tags.end() && !find_surface(surface->second))
+      ++cover.assumed["surface of land whose tag is not known"];
     for (const osm::MapRings& rings : area.rings) {
       CoverArea made{use->rank, use->surface, {find_line(rings.outer, to_frame, bounds)}};
       if (made.rings[0].size() < 3) continue;  // beyond the ground
       for (const auto& hole : rings.holes)
         if (Ring ring = find_line(hole, to_frame, bounds); ring.size() >= 3)
           made.rings.push_back(std::move(ring));
+      if (made.surface.kind == GroundKind::woodland)
+        made.tags = std::make_shared<const osm::OsmTags>(area.tags);
       const double m2 = std::abs(signed_area(made.rings[0]));
       found.emplace_back(m2, std::move(made));
     }

@@ -15,6 +15,7 @@
 #include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
 #include "tools/mesh/owner_finder.h"
+#include "tools/osm/osm_selection.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -113,7 +114,7 @@ class RailAreas {
 
   void add(const osm::OsmWay& way) {
     const TrackKind* kind = find_track_kind(tag_of(way.tags, "railway"));
-    if (!kind || tag_of(way.tags, "area") == "yes") return;
+    if (!kind || osm::says_area(way.tags)) return;
     std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame_, bounds_);
     line.erase(std::unique(line.begin(), line.end()), line.end());
     const double length_m = find_length_m(line, bounds_);

@@ -13,8 +13,10 @@
 #include "tools/ground_cover/clip_segment.h"
 #include "tools/ground_cover/junctions.h"
 #include "tools/ground_cover/measured_line.h"
+#include "tools/ground_cover/roadside.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
 #include "tools/roads/parking_lane.h"
@@ -24,48 +26,18 @@ namespace {
 
 using Side = Widener::Side;
 
-// The strips along one side of a carriageway, from the kerb outwards.
-struct Roadside {
-  double bay_m = 0, track_m = 0, pavement_m = 0;
-  bool assumed = false;
-  std::optional<roads::ParkingLane> parking{};
-  double width_m() const { return bay_m + track_m + pavement_m; }
-};
-
-// Returns the value of a tag for one side: KEY:right, KEY:both, or KEY where it names the side.
-std::string value_at_side(const osm::OsmTags& tags, const std::string& key, const char* side) {
-  for (const std::string& name : {key + ":" + side, key + ":both"})
-    if (std::string value = tag_of(tags, name.c_str()); !value.empty()) return value;
-  const std::string value = tag_of(tags, key.c_str());
-  if (value == "left" || value == "right") return value == side ? "yes" : "no";
-  return value == "both" ? "yes" : value;
-}
-
-Roadside read_roadside(const osm::OsmTags& tags, const roads::RoadClass& road, const char* side) {
-  Roadside result;
-  if (value_at_side(tags, "cycleway", side) == "track") result.track_m = cycle_track_m;
-  const std::string pavement = value_at_side(tags, "sidewalk", side);
-  if (pavement == "yes") {
-    result.pavement_m = road.pavement_m > 0 ? road.pavement_m : roads::pavement_m;
-    for (const std::string& key :
-         {std::string("sidewalk:") + side + ":width", std::string("sidewalk:both:width")})
-      if (const auto found = tags.find(key); found != tags.end())
-        if (const auto width = osm::parse_length_m(found->second);
-            width && *width >= 0.5 && *width <= 20)
-          result.pavement_m = *width;
-  } else if (pavement.empty()) {
-    result.pavement_m = road.pavement_m;
-    result.assumed = road.pavement_m > 0;
-  }
-  return result;
-}
-
 // Returns what a road is made of where its tag `surface` does not say. OSM wiki, "Key:surface":
 // streets of towns are asphalt, and tracks are not. Paths in towns are paved with stones (RASt 06,
 // 6.1.6.6).
-GroundKind guess_surface(const roads::RoadClass& road) {
+GroundKind guess_surface(const osm::OsmTags& tags, const roads::RoadClass& road) {
   const std::string_view highway = road.highway;
-  if (highway == "track") return GroundKind::gravel;
+  if (highway == "track") {
+    // OSM wiki, "Key:tracktype": 1 is sealed, 2 and 3 hold stones, 4 is mostly soft, 5 overgrown.
+    const std::string grade = tag_of(tags, "tracktype");
+    if (grade == "grade1") return GroundKind::asphalt;
+    if (grade == "grade4") return GroundKind::soil;
+    return grade == "grade5" ? GroundKind::grass : GroundKind::gravel;
+  }
   if (highway == "path" || highway == "bridleway") return GroundKind::soil;
   if (highway == "cycleway") return GroundKind::asphalt;
   return road.tier == roads::RoadTier::path ? GroundKind::paving_stones : GroundKind::asphalt;
@@ -110,14 +82,14 @@ class StreetAreas {
 
   void add(const osm::OsmWay& way) {
     const auto carriageway = roads::read_carriageway(way.tags);
-    if (!carriageway) return;
     const std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame_, bounds_);
-    if (line.size() < 2) return;
+    if (!carriageway) count_unknown(way.tags, line);
+    if (!carriageway || line.size() < 2) return;
     if (lies_inside(way.tags)) {
       ++cover_.left_out["street in a tunnel or a building"];
       return;
     }
-    if (tag_of(way.tags, "area") == "yes") return;  // an outline, which add_land takes
+    if (osm::says_area(way.tags)) return;  // an outline, which add_land takes
     count_earthworks(way.tags, line);
     const roads::RoadClass& road = *carriageway->road_class;
     const GroundKind kind = find_kind(way.tags, road);
@@ -147,6 +119,13 @@ class StreetAreas {
           lane && lane->place == roads::ParkingPlace::street_side)
         return true;
     return false;
+  }
+
+  // Roads for races, guided buses and runaway lorries are of no class that the table knows.
+  void count_unknown(const osm::OsmTags& tags, const std::vector<glm::dvec2>& line) {
+    const std::string highway = tag_of(tags, "highway");
+    for (const char* known : {"raceway", "bus_guideway", "escape"})
+      if (highway == known) cover_.left_out_m["highway=" + highway] += find_length_m(line, bounds_);
   }
 
   // The map does not say how high embankments are, or how deep cuttings: a ground that is measured
@@ -196,21 +175,22 @@ class StreetAreas {
   void add_roadside(const std::vector<glm::dvec2>& line, double half_m, const Roadside& left,
                     const Roadside& right) {
     // Equal sides are one area, which goes round the ends of streets that end.
-    const auto add_band = [&](double left_m, double right_m, int rank, GroundKind kind) {
-      const Surface surface{kind, false, false};
-      if (left_m > 0 && left_m == right_m) {
-        add(line, half_m + left_m, Side::both, rank, surface);
+    const auto add_band = [&](double left_m, double right_m, int rank, GroundKind left_kind,
+                              GroundKind right_kind) {
+      const Surface left_surface{left_kind, false, false}, right_surface{right_kind, false, false};
+      if (left_m > 0 && left_m == right_m && left_kind == right_kind) {
+        add(line, half_m + left_m, Side::both, rank, left_surface);
         return;
       }
-      if (left_m > 0) add(line, half_m + left_m, Side::left, rank, surface);
-      if (right_m > 0) add(line, half_m + right_m, Side::right, rank, surface);
+      if (left_m > 0) add(line, half_m + left_m, Side::left, rank, left_surface);
+      if (right_m > 0) add(line, half_m + right_m, Side::right, rank, right_surface);
     };
     const auto track_m = [](const Roadside& side) {
       return side.track_m > 0 ? side.bay_m + side.track_m : 0;
     };
-    add_band(track_m(left), track_m(right), track_rank, GroundKind::asphalt);
+    add_band(track_m(left), track_m(right), track_rank, left.track, right.track);
     add_band(left.pavement_m > 0 ? left.width_m() : 0, right.pavement_m > 0 ? right.width_m() : 0,
-             pavement_rank, GroundKind::paving_stones);
+             pavement_rank, left.pavement, right.pavement);
   }
 
   // The round ends of streets fill the corners between them. They are seen where no carriageway
@@ -262,7 +242,7 @@ bool lies_inside(const osm::OsmTags& tags) {
 GroundKind find_street_surface(const osm::OsmTags& tags, const roads::RoadClass& road) {
   const auto surface = tags.find("surface");
   const auto kind = surface == tags.end() ? std::nullopt : find_surface(surface->second);
-  return kind.value_or(guess_surface(road));
+  return kind.value_or(guess_surface(tags, road));
 }
 
 double find_roadside_m(const osm::OsmTags& tags, const roads::RoadClass& road, const char* side) {

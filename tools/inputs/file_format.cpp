@@ -72,6 +72,16 @@ bool is_eulumdat(const FileStart& start) {
   return lights::begins_as_eulumdat(start.bytes) || start.name.ends_with(".ldt");
 }
 
+bool is_tm33(const FileStart& start) {
+  return lights::begins_as_tm33(start.bytes);
+}
+
+// The document of the container that says what else lies in it.
+bool is_gldf(const FileStart& start) {
+  return start.packed && start.name == "product.xml" &&
+         city::find_root_name(start.bytes) == "Root" && holds(start, "GeneralDefinitions");
+}
+
 constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::read_citygml_staged,
                                           citygml::find_citygml_cuts};
 
@@ -98,6 +108,8 @@ constexpr std::array formats{
                &citygml_reader},
     FileFormat{"IES", FileKind::luminaire, is_ies},
     FileFormat{"EULUMDAT", FileKind::luminaire, is_eulumdat},
+    FileFormat{"TM-33", FileKind::luminaire, is_tm33},
+    FileFormat{"GLDF", FileKind::luminaire, is_gldf, true},
     FileFormat{"Wavefront OBJ", FileKind::city, is_obj, true, obj::obj_endings, &obj_reader},
 };
 

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "tools/osm/lifecycle.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/roads/road_class.h"
 #include "tools/today.h"
@@ -30,7 +31,7 @@ std::string why_unlit(const osm::OsmWay& way, lights::LitTag::Kind lit) {
       tag(way, "layer").starts_with("_"))
     return "tunnel or under cover";
   if (osm::is_out_of_use(way.tags, today())) return "disused";
-  if (tag(way, "area") == "yes") return "square mapped as an area";
+  if (osm::says_area(way.tags)) return "square mapped as an area";
   if (one_of(tag(way, "footway"), {"sidewalk", "crossing", "traffic_island", "access_aisle"}) ||
       one_of(tag(way, "cycleway"), {"crossing", "sidewalk", "sidepath"}) ||
       one_of(tag(way, "path"), {"crossing", "sidewalk"}) || tag(way, "is_sidepath") == "yes")

@@ -184,8 +184,11 @@ void unfold(const TextLines& lines, const Cursor& at, const Head& head, const Se
 
 }  // namespace
 
-Luminaire read_eulumdat(const std::filesystem::path& path) {
-  const TextLines lines(path);
+Luminaire read_eulumdat(const std::filesystem::path& file) {
+  return read_eulumdat(TextLines(file));
+}
+
+Luminaire read_eulumdat(const TextLines& lines) {
   Cursor at(lines);
   Head head = read_head(lines, at);
   const Sector sector = read_sector(lines, at, head);

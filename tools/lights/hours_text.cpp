@@ -1,12 +1,10 @@
 #include "tools/lights/hours_text.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <initializer_list>
 #include <string>
 #include <utility>
 
 #include "formats/to_lower.h"
+#include "tools/lights/hours_words.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::lights {
@@ -18,71 +16,7 @@ constexpr int hour = 60, day = 24 * hour;
 constexpr int sunset = 17 * hour, sunrise = 7 * hour;  // around our night
 // The day of the night's evening; its morning is the next one's.
 constexpr int wednesday = 2, june = 5, december = 11, day_of_month = 15;
-
-bool is_figure(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
-}
-
-void skip_spaces(string_view& text) {
-  while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
-}
-
-bool take(string_view& text, string_view sign) {
-  string_view rest = text;
-  skip_spaces(rest);
-  if (!rest.starts_with(sign)) return false;
-  rest.remove_prefix(sign.size());
-  text = rest;
-  return true;
-}
-
-// Takes one of the words off the front, where no other letter follows, and returns its number.
-std::optional<int> take_word(string_view& text, std::initializer_list<string_view> words) {
-  string_view rest = text;
-  skip_spaces(rest);
-  std::size_t size = 0;
-  while (size < rest.size() && is_letter(rest[size])) ++size;
-  const auto found = std::find(words.begin(), words.end(), rest.substr(0, size));
-  if (size == 0 || found == words.end()) return {};
-  text = rest.substr(size);
-  return static_cast<int>(found - words.begin());
-}
-
-std::optional<int> take_digits(string_view& text, std::size_t most) {
-  std::size_t size = 0;
-  int value = 0;
-  for (; size < text.size() && is_figure(text[size]); ++size)
-    if (size < most) value = 10 * value + text[size] - '0';
-  if (size == 0 || size > most) return {};
-  text.remove_prefix(size);
-  return value;
-}
-
-// A number of a day in its month, behind which no clock goes on ("Dec 24", not "Dec 17:00").
-std::optional<int> take_day_of_month(string_view& text) {
-  string_view rest = text;
-  skip_spaces(rest);
-  string_view clock = rest;
-  if (take_clock(clock)) return {};
-  const auto number = take_digits(rest, 2);
-  if (!number || *number < 1 || *number > 31) return {};
-  text = rest;
-  return number;
-}
-
-std::optional<int> take_month(string_view& text) {
-  return take_word(
-      text, {"jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"});
-}
-
-// The numbers are those of weekdays from Monday; 7 and 8 are holidays of the public and of schools.
-std::optional<int> take_weekday(string_view& text) {
-  return take_word(text, {"mo", "tu", "we", "th", "fr", "sa", "su", "ph", "sh"});
-}
+constexpr int week_of_june = 25, week_of_december = 51;
 
 bool is_within(int at, int first, int last) {
   return first <= last ? first <= at && at <= last : first <= at || at <= last;
@@ -109,7 +43,7 @@ class RuleReader {
 
  private:
   bool read_rule(HoursRule& rule) {
-    if (!read_seasons(rule) || !read_weekdays(rule)) return false;
+    if (!read_weeks(rule) || !read_seasons(rule) || !read_weekdays(rule)) return false;
     if (rule.is_for_some_days) take(text_, ":");
     if (take(text_, "24/7")) {
       rule.spans.push_back({0, day});
@@ -118,12 +52,35 @@ class RuleReader {
     }
     const auto state = take_word(text_, {"off", "closed", "on", "open"});
     rule.is_off = state && *state < 2;
+    skip_spaces(text_);
+    const bool ends = text_.empty() || text_.starts_with(';');
+    // Days without hours are whole days.
+    if (rule.spans.empty() && !rule.is_off && rule.is_for_some_days && ends)
+      rule.spans.push_back({0, day});
     return !rule.spans.empty() || rule.is_off;
+  }
+
+  // Reads "week 40-53", "week 1-13,40-53". Every second week may be ours or not.
+  bool read_weeks(HoursRule& rule) {
+    if (!take_word(text_, {"week"})) return true;
+    const int week = month_ == june ? week_of_june : week_of_december;
+    bool holds = false;
+    do {
+      skip_spaces(text_);
+      const auto first = take_digits(text_, 2);
+      auto last = first;
+      if (first && take(text_, "-")) last = take_digits(text_, 2);
+      if (!first || !last || text_.starts_with('/')) return false;
+      holds = holds || is_within(week, *first, *last);
+    } while (take(text_, ","));
+    rule.is_for_some_days = true;
+    rule.holds.fill(holds);
+    return true;
   }
 
   // Reads "Oct-Mar", "Jan,Feb", "Oct 15-Mar 15", "Dec 24-26".
   bool read_seasons(HoursRule& rule) {
-    bool holds = false;
+    bool holds = false, any = false;
     string_view behind = text_;
     while (const auto month = take_month(behind)) {
       const auto number = take_day_of_month(behind);
@@ -137,10 +94,11 @@ class RuleReader {
       }
       holds = holds || is_within(100 * month_ + day_of_month, first, last);
       text_ = behind;
-      rule.is_for_some_days = true;
+      any = true;
       if (!take(behind, ",")) break;
     }
-    if (rule.is_for_some_days) rule.holds.fill(holds);
+    rule.is_for_some_days = rule.is_for_some_days || any;
+    for (bool& day_holds : rule.holds) day_holds = day_holds && (holds || !any);
     return true;
   }
 
@@ -171,7 +129,7 @@ class RuleReader {
     string_view behind = text_;
     while (const auto from = take_edge(behind)) {
       HoursSpan span{*from, 0};
-      if (take(behind, "-") || take(behind, "_")) {
+      if (take(behind, "-") || take(behind, "_") || take(behind, "/")) {
         const auto to = take_edge(behind);
         if (!to || *from > day) return false;
         span.to = *to <= *from ? *to + day : *to;
@@ -220,43 +178,10 @@ class RuleReader {
 
 }  // namespace
 
-std::optional<int> take_clock(string_view& text) {
-  string_view rest = text;
-  if (const auto word = take_word(rest, {"noon", "midnight"})) {
-    text = rest;
-    return *word == 0 ? 12 * hour : day;
-  }
-  skip_spaces(rest);
-  auto hours = take_digits(rest, 2);
-  std::optional<int> minutes;
-  if (!hours) {  // "1800"
-    const std::size_t before = rest.size();
-    const auto both = take_digits(rest, 4);
-    if (!both || before - rest.size() != 4) return {};
-    hours = *both / 100;
-    minutes = *both % 100;
-  } else if (rest.starts_with(':') || rest.starts_with('.') || rest.starts_with('h')) {
-    const bool has_word = rest.front() == 'h';
-    string_view behind = rest.substr(1);
-    const std::size_t before = behind.size();
-    minutes = take_digits(behind, 2);
-    if (minutes ? before - behind.size() != 2 : !has_word) return {};
-    if (!minutes) minutes = 0;
-    rest = behind;
-  }
-  if (const auto half = take_word(rest, {"am", "pm"})) {
-    if (*hours < 1 || *hours > 12) return {};
-    hours = *hours % 12 + (*half == 1 ? 12 : 0);
-  } else if (!minutes) {
-    return {};  // a number alone is no clock
-  }
-  if (minutes.value_or(0) > 59 || *hours > 48) return {};
-  text = rest;
-  return *hours * hour + minutes.value_or(0);
-}
-
 std::optional<std::vector<HoursRule>> read_hours_rules(string_view text, Half half) {
-  const std::string lower = to_lower(osm::to_plain_signs(text));
+  constexpr std::size_t longest = 1024;  // OpenStreetMap allows 255
+  if (text.size() > longest) return {};
+  const std::string lower = to_plain_hours(to_lower(osm::to_plain_signs(text)));
   return RuleReader(lower, half).read();
 }
 

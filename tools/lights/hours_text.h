@@ -29,8 +29,4 @@ struct HoursRule {
 std::optional<std::vector<HoursRule>> read_hours_rules(std::string_view text,
                                                        Half half = Half::north);
 
-/// Parses the clock at the beginning of `text` ("23:00", "7.05", "18h30", "6pm", "6:30 pm", "noon")
-/// as minutes after midnight, to 48:00, and takes it off. `text` is in lower case.
-std::optional<int> take_clock(std::string_view& text);
-
 }  // namespace nightcity::lights

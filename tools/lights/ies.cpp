@@ -35,7 +35,7 @@ double sample(const IesTable& file, double horizontal, double vertical) {
 }
 
 /// Unfolds a file of type C, which lists only the planes of one symmetry sector.
-IntensityGrid unfold_c(const TextLines& lines, const IesTable& file) {
+IntensityGrid unfold_c(const TextLines& lines, IesTable file) {
   if (file.vertical.front() < 0 || file.vertical.back() > 180)
     lines.fail(file.vertical_line, "vertical angles of type C lie between 0 and 180");
   const double first = file.horizontal.front(), last = file.horizontal.back();
@@ -51,11 +51,18 @@ IntensityGrid unfold_c(const TextLines& lines, const IesTable& file) {
              turned_half = is(first, 90) && is(last, 270);
   // Many files leave out the plane at 360 degrees, because it repeats that at 0.
   const double last_step = last - file.horizontal[file.horizontal.size() - 2];
+  const bool lacks_end = is(last + last_step, first + 360);
   const bool whole =
-      is(first, 0) && !half && !quarter && (is(last, 360) || is(last + last_step, 360));
+      !half && !quarter && first > -360 && first < 360 && (is(last, first + 360) || lacks_end);
   if (!(whole || half || quarter || turned_half))
     lines.fail(file.horizontal_line,
                "horizontal angles of type C run from 0 to 90, 180 or 360, or from 90 to 270");
+  if (whole && lacks_end) {
+    file.horizontal.push_back(first + 360);
+    const auto count = static_cast<std::ptrdiff_t>(file.vertical.size());
+    const std::vector<double> row(file.candela.begin(), file.candela.begin() + count);
+    file.candela.insert(file.candela.end(), row.begin(), row.end());
+  }
   // Finds the plane of the file that stands for a plane of the whole turn.
   const auto fold = [&](double c) {
     if (quarter) {
@@ -64,17 +71,20 @@ IntensityGrid unfold_c(const TextLines& lines, const IesTable& file) {
     }
     if (half) return c > 180 ? 360 - c : c;
     if (turned_half) return c < 90 ? 180 - c : c > 270 ? 540 - c : c;
-    return c;
+    return first + std::fmod(c - first + 720, 360);  // a turn may begin anywhere, as -180 or 15
   };
   std::vector<double> planes;
+  if (whole) planes.push_back(0);
   for (const double angle : file.horizontal) {
     planes.push_back(angle);
     if (quarter || half) planes.push_back(360 - angle);
     if (quarter) planes.insert(planes.end(), {180 - angle, 180 + angle});
     if (turned_half) planes.push_back(angle <= 180 ? 180 - angle : 540 - angle);
   }
-  for (double& plane : planes)
+  for (double& plane : planes) {
+    if (plane < -1e-6) plane += 360;
     if (plane > 360 - 1e-6) plane -= 360;
+  }
   std::sort(planes.begin(), planes.end());
   planes.erase(
       std::unique(planes.begin(), planes.end(), [](double a, double b) { return b - a < 1e-6; }),
@@ -198,12 +208,19 @@ std::string_view find_first_text(const TextLines& lines) {
 
 }  // namespace
 
+IntensityGrid unfold_table(const TextLines& lines, const IesTable& table) {
+  return table.type == 1 ? unfold_c(lines, table) : resample_ab(lines, table);
+}
+
 bool is_tilt_line(std::string_view line) {
   return squeeze(line).starts_with("TILT=");
 }
 
-Luminaire read_ies(const std::filesystem::path& path) {
-  const TextLines lines(path);
+Luminaire read_ies(const std::filesystem::path& file) {
+  return read_ies(TextLines(file));
+}
+
+Luminaire read_ies(const TextLines& lines) {
   Luminaire luminaire;
   std::size_t tilt = 0;
   for (; tilt < lines.all().size() && !is_tilt_line(lines.all()[tilt].text); ++tilt) {
@@ -218,15 +235,21 @@ Luminaire read_ies(const std::filesystem::path& path) {
   if (source != "NONE" && source != "INCLUDE")
     luminaire.notes.push_back("TILT=" + source + " is not read: lamps hang as they were measured");
 
+  const auto tilts =
+      std::count_if(lines.all().begin(), lines.all().end(),
+                    [](const TextLines::Line& line) { return is_tilt_line(line.text); });
   const IesTable table =
       read_ies_table(lines, tilt + 1, source == "INCLUDE", find_lm63_year(find_first_text(lines)));
-  if (table.has_text_after)
+  if (tilts > 1)
+    luminaire.notes.push_back("the file holds " + std::to_string(tilts) +
+                              " luminaires, of which the first is read");
+  else if (table.has_text_after)
     luminaire.notes.push_back("the text after the candela values is not read");
   luminaire.width_m = table.width_m;
   luminaire.length_m = table.length_m;
   luminaire.height_m = table.height_m;
   luminaire.stated_flux_lm = table.stated_flux_lm;
-  luminaire.grid = table.type == 1 ? unfold_c(lines, table) : resample_ab(lines, table);
+  luminaire.grid = unfold_table(lines, table);
   luminaire.flux_lm = integrated_flux(luminaire.grid);
   if (!(luminaire.flux_lm > 0)) lines.fail(table.last_line, "the luminaire gives no light");
   // RP-8's lateral angle 0 faces the street.

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/lights/luminaire.h"
 #include "tools/lights/text_lines.h"
 
 namespace nightcity::lights {
@@ -29,5 +30,10 @@ struct IesTable {
 /// the two gives the count of numbers that the file announces. Throws Error with the line: no
 /// number, too few or too many of them, angles that do not ascend, negative candela.
 IesTable read_ies_table(const TextLines& lines, std::size_t first, bool has_tilt_table, int year);
+
+/// Returns the distribution over the whole turn: unfolds type C, which lists the planes of one
+/// sector of symmetry, and resamples types A and B. Throws Error with the line of the angles that
+/// do not fit.
+IntensityGrid unfold_table(const TextLines& lines, const IesTable& table);
 
 }  // namespace nightcity::lights

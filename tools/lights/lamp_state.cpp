@@ -53,6 +53,8 @@ bool says(const osm::OsmTags& tags, const char* key, std::initializer_list<strin
   return text && std::find(words.begin(), words.end(), osm::normalise_tag(*text)) != words.end();
 }
 
+}  // namespace
+
 bool is_below_ground(const osm::OsmTags& tags) {
   if (says(tags, "location", {"underground", "indoor"}) || says(tags, "tunnel", {"yes"}) ||
       says(tags, "indoor", {"yes"}))
@@ -66,8 +68,6 @@ bool is_below_ground(const osm::OsmTags& tags) {
   }
   return false;
 }
-
-}  // namespace
 
 string_view find_outage(const osm::OsmTags& tags, Day day,
                         std::map<std::string, std::size_t>& unread) {

@@ -14,6 +14,10 @@ using osm::Day;
 using osm::Days;
 using osm::parse_days;
 
+/// Returns whether a thing lies below the ground or in a building, by its level, layer and
+/// location.
+bool is_below_ground(const osm::OsmTags& tags);
+
 /// Returns why the lamp gives no light, in words for a report: "disused or demolished", "broken",
 /// "end_date past", "start_date ahead", "underground". Empty for a lamp that works. Values of these
 /// tags that are not understood are counted in `unread`.

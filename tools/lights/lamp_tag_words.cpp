@@ -18,7 +18,7 @@ std::optional<Value> look_up(string_view word, const Words<Value, N>& table) {
   return std::nullopt;
 }
 
-constexpr Words<LampMount, 27> mounts = {{
+constexpr Words<LampMount, 48> mounts = {{
     {"straight_mast", LampMount::straight_mast},
     {"mast", LampMount::straight_mast},
     {"straight", LampMount::straight_mast},
@@ -46,10 +46,32 @@ constexpr Words<LampMount, 27> mounts = {{
     {"ground", LampMount::bollard},
     {"bollard", LampMount::bollard},
     {"floor", LampMount::bollard},
+    // OSM wiki, "Key:support", and other words of mappers: what a lamp hangs on.
+    {"lamppost", LampMount::straight_mast},
+    {"lamp_post", LampMount::straight_mast},
+    {"street_lamp", LampMount::straight_mast},
+    {"stand", LampMount::straight_mast},
+    {"pedestal", LampMount::straight_mast},
+    {"tower", LampMount::straight_mast},
+    {"fence", LampMount::straight_mast},
+    {"street_sign", LampMount::straight_mast},
+    {"traffic_signals", LampMount::straight_mast},
+    {"double_bent_mast", LampMount::bent_mast},
+    {"wood_pole", LampMount::bent_mast},
+    {"concrete_pole", LampMount::bent_mast},
+    {"building", LampMount::wall},
+    {"roof", LampMount::wall},
+    {"awning", LampMount::wall},
+    {"bracket", LampMount::wall},
+    {"arm", LampMount::wall},
+    {"billboard", LampMount::wall},
+    {"bridge", LampMount::wall},
+    {"tree", LampMount::suspended},
+    {"arch", LampMount::suspended},
 }};
 
 using enum LampType;
-constexpr Words<LampType, 67> types = {{
+constexpr Words<LampType, 71> types = {{
     {"led", led},
     {"leds", led},
     {"light_emitting_diode", led},
@@ -118,23 +140,24 @@ constexpr Words<LampType, 67> types = {{
     {"cdm", metal_halide},
     {"cdo", metal_halide},
     {"cpo", metal_halide},
+    {"led_retrofit", led},
+    {"natriumdampf", high_pressure_sodium},
+    {"quecksilberdampf", mercury},
+    {"leuchtstoff", fluorescent},
 }};
 
 // The usual market classes: warm 2700 to 3000 K, neutral 4000 K, cool 5000 to 6500 K.
-constexpr Words<double, 14> colour_temperatures = {{{"warm_white", 2850},
-                                                    {"warm", 2850},
-                                                    {"warmwhite", 2850},
-                                                    {"warm_light", 2850},
-                                                    {"neutral_white", 4000},
-                                                    {"neutral", 4000},
-                                                    {"white", 4000},
-                                                    {"cool_white", 5500},
-                                                    {"cold_white", 5500},
-                                                    {"cold", 5500},
-                                                    {"cool", 5500},
-                                                    {"natural_white", 4000},
-                                                    {"day_light", 6500},
-                                                    {"daylight", 6500}}};
+constexpr Words<double, 20> colour_temperatures = {
+    {{"warm_white", 2850},    {"warmwei\xc3\x9f", 2850},
+     {"warmweiss", 2850},     {"neutralwei\xc3\x9f", 4000},
+     {"neutralweiss", 4000},  {"kaltwei\xc3\x9f", 5500},
+     {"kaltweiss", 5500},     {"warm", 2850},
+     {"warmwhite", 2850},     {"warm_light", 2850},
+     {"neutral_white", 4000}, {"neutral", 4000},
+     {"white", 4000},         {"cool_white", 5500},
+     {"cold_white", 5500},    {"cold", 5500},
+     {"cool", 5500},          {"natural_white", 4000},
+     {"day_light", 6500},     {"daylight", 6500}}};
 
 }  // namespace
 

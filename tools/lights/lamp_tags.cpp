@@ -136,8 +136,9 @@ class LampTagReader {
     lamp_.type =
         first_of({"light:method", "lamp_type", "light:type", "light_type"}, parse_lamp_type);
     // "electric" only says that it is not gas, but it is no mistake.
-    std::erase_if(lamp_.unread,
-                  [](const auto& entry) { return entry.first.ends_with("=electric"); });
+    std::erase_if(lamp_.unread, [](const auto& entry) {
+      return entry.first.ends_with("=electric") || entry.first.ends_with("=electrical");
+    });
     if (says("fake_gaslight", {"yes"}) || says("electric", {"led"})) lamp_.type = LampType::led;
     const auto flames = first_of({"lamp_flames"}, between(1, 24, number_in({})));
     if (!flames || lamp_.type == LampType::led) return;
@@ -219,6 +220,7 @@ std::optional<double> parse_cct_k(string_view text) {
     if (const auto of_code = parse_colour_code(part)) return of_code;
     const std::string plain = osm::to_plain_signs(part);
     part = plain;
+    if ((part.starts_with('K') || part.starts_with('k')) && part.size() > 1) part.remove_prefix(1);
     auto value = osm::take_amount(part, least_cct_k);
     if (value && part.starts_with("-")) {  // a range
       part.remove_prefix(1);

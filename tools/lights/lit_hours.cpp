@@ -38,8 +38,11 @@ class NightOfRules {
         if (rule.holds[day]) mark(span, static_cast<int>(day), hours[day]);
     if (rule.is_off) {
       const Minutes off = hours[0] | hours[1];
-      takes_hours_ = takes_hours_ || !rule.spans.empty();
+      takes_hours_ = true;
       off_ |= off;
+      if (rule.spans.empty())
+        for (int day = 0; day < 2; ++day)
+          if (rule.holds[static_cast<std::size_t>(day)]) mark({0, day_minutes}, day, off_);
       for (std::size_t day = 0; day < hours.size(); ++day)
         lit_[day] = rule.spans.empty() && rule.holds[day] ? Minutes() : lit_[day] & ~off;
       return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -202,14 +203,22 @@ bool begins_as_eulumdat(std::string_view text) {
 }
 
 Luminaire read_luminaire(const std::filesystem::path& file) {
-  const TextLines lines(file);
-  if (begins_as_ies(lines.text())) return read_ies(file);
+  std::array<char, 4> mark{};
+  std::ifstream(file, std::ios::binary).read(mark.data(), mark.size());
+  return std::string_view(mark.data(), mark.size()) == "PK\x03\x04"
+             ? read_gldf(file)
+             : read_luminaire(TextLines(file));
+}
+
+Luminaire read_luminaire(const TextLines& lines) {
+  if (begins_as_tm33(lines.text())) return read_tm33(lines);
+  if (begins_as_ies(lines.text())) return read_ies(lines);
   try {
-    return read_eulumdat(file);
+    return read_eulumdat(lines);
   } catch (const Error& error) {
     if (begins_as_eulumdat(lines.text())) throw;
     if (const std::string what = city::name_foreign(lines.text(), ""); !what.empty())
-      throw Error(file.string(), what + "; photometry is IES LM-63 or EULUMDAT");
+      throw Error(lines.file(), what + "; photometry is IES LM-63, EULUMDAT, TM-33 or GLDF");
     throw Error("", std::string(error.what()) +
                         "; it has no TILT= line either, so it is neither EULUMDAT nor IES");
   }

@@ -1,5 +1,5 @@
-// Reads measured luminaires, IES LM-63 and EULUMDAT files, as light distributions for the light
-// file.
+// Reads measured luminaires, IES LM-63, EULUMDAT and TM-33 files, as light distributions for the
+// light file.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,8 @@
 #include "tools/lights/photometry.h"
 
 namespace nightcity::lights {
+
+class TextLines;
 
 /// A measured distribution, unfolded to the whole turn: candela at every pair of angles,
 /// bilinear in between. C counts anticlockwise seen from above the luminaire, gamma from its
@@ -58,12 +60,25 @@ bool begins_as_ies(std::string_view text);
 /// symmetry, and how many C planes and gamma angles there are. The format has no mark.
 bool begins_as_eulumdat(std::string_view text);
 
+/// Returns whether the root of an XML document is that of TM-33 (LuminaireOpticalData, IESTM33-22).
+bool begins_as_tm33(std::string_view text);
+
 /// Reads IES LM-63-1986 to 2019, photometric types A, B and C, absolute and relative. Throws Error
 /// with the line.
+Luminaire read_ies(const TextLines& lines);
 Luminaire read_ies(const std::filesystem::path& file);
 /// Reads EULUMDAT (.ldt) with any symmetry. Throws Error with the line.
+Luminaire read_eulumdat(const TextLines& lines);
 Luminaire read_eulumdat(const std::filesystem::path& file);
-/// Reads either, by content: IES files hold a TILT line.
+/// Reads ANSI/IES TM-33-18 or -22 (XML) with luminous intensities of any type. Throws Error with
+/// the line.
+Luminaire read_tm33(const TextLines& lines);
+/// Reads a GLDF container (a .zip with a product.xml that names files of photometry): the first
+/// photometry that it defines, which a note says where there are several.
+Luminaire read_gldf(const std::filesystem::path& file);
+/// Reads any of the first three, by content: IES files hold a TILT line.
+Luminaire read_luminaire(const TextLines& lines);
+/// Reads any of them, by content.
 Luminaire read_luminaire(const std::filesystem::path& file);
 
 }  // namespace nightcity::lights

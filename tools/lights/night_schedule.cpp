@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "tools/lights/hours_text.h"
+#include "tools/lights/hours_words.h"
 #include "tools/random.h"
 
 namespace nightcity::lights {

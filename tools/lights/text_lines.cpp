@@ -13,22 +13,42 @@
 #include "tools/city/text_encoding.h"
 
 namespace nightcity::lights {
+namespace {
 
-TextLines::TextLines(std::filesystem::path file) : name_(file.string()) {
-  constexpr std::uintmax_t largest = 16 << 20;
+std::string read_content(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw Error(name_, "no such file");
-  if (size > largest) throw Error(name_, "too large for a luminaire file");
+  if (error) throw Error(file.string(), "no such file");
+  if (size > largest_luminaire_file) throw Error(file.string(), "too large for a luminaire file");
   refuse_special_file(file);
   std::ifstream stream(file, std::ios::binary);
-  content_.assign(std::istreambuf_iterator<char>(stream), {});
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+}  // namespace
+
+TextLines::TextLines(std::filesystem::path file) : TextLines(file.string(), read_content(file)) {}
+
+TextLines::TextLines(std::string name, std::string content)
+    : name_(std::move(name)), content_(std::move(content)) {
+  if (content_.size() > largest_luminaire_file)
+    throw Error(name_, "too large for a luminaire file");
   if (content_.empty()) throw Error(name_, "the file is empty");
   content_ = city::to_utf8(std::move(content_));
   if (content_.starts_with("\xef\xbb\xbf")) content_.erase(0, 3);
   content_ = city::decode_text(std::move(content_));
   if (const std::size_t end = content_.find('\x1a'); end != std::string::npos) content_.resize(end);
   if (content_.find('\0') != std::string::npos) throw Error(name_, "not a text file");
+  // Breaks of pages and blanks that do not break lines are blanks.
+  std::replace_if(
+      content_.begin(), content_.end(), [](char c) { return c == '\f' || c == '\v'; }, ' ');
+  std::size_t kept = 0;
+  for (std::size_t at = 0; at < content_.size(); ++at) {
+    const bool is_blank = content_.compare(at, 2, "\xc2\xa0") == 0;
+    content_[kept++] = is_blank ? ' ' : content_[at];
+    at += is_blank;
+  }
+  content_.resize(kept);
 
   std::string_view rest = content_;
   for (std::size_t number = 1; !rest.empty(); ++number) {

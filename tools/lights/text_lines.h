@@ -9,6 +9,9 @@
 
 namespace nightcity::lights {
 
+/// No luminaire file has more bytes.
+constexpr std::size_t largest_luminaire_file = 16 << 20;
+
 class TextLines {
  public:
   struct Line {
@@ -20,6 +23,8 @@ class TextLines {
   /// CR, and the text ends at a Ctrl-Z. Throws Error if it is missing, empty, larger than 16 MB (no
   /// luminaire file is) or holds a zero byte.
   explicit TextLines(std::filesystem::path file);
+  /// The same of a text that lies in another file; `name` is for messages.
+  TextLines(std::string name, std::string content);
 
   const std::vector<Line>& all() const { return lines_; }
   /// The whole text, in UTF-8.

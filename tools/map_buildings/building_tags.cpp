@@ -103,9 +103,17 @@ RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
       {"onion", RoofShape::onion},
       {"skillion", RoofShape::skillion},
       {"lean_to", RoofShape::skillion},
-      {"shed", RoofShape::skillion}};
+      {"shed", RoofShape::skillion},
+      {"half_hip", RoofShape::half_hipped},
+      {"jerkinhead", RoofShape::half_hipped},
+      {"tented", RoofShape::pyramidal},
+      {"pyramid", RoofShape::pyramidal},
+      {"conical", RoofShape::pyramidal}};
   std::string text = find_tag(tags, "roof:shape");
   if (text.empty()) text = find_tag(tags, "building:roof:shape");
+  // A list names the shape of most of the roof first.
+  if (const auto parts = osm::split_list(text); parts.size() > 1)
+    text = osm::normalise_tag(parts.front());
   const auto known = table.find(text);
   if (known != table.end()) return known->second;
   notes.add("roof:shape=" + text + ", shown flat");

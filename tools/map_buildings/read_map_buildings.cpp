@@ -153,6 +153,8 @@ class ObjectMaker {
     const auto walls = find_colour(area, building, Skin::walls),
                roof = find_colour(area, building, Skin::roof);
     double highest_m = 0;
+    if (coloured_)
+      for (const std::string& note : find_unread_skins(area.tags)) skipped_.add(note);
     if (said.assumed) assumed_.add("height of a building that the map does not say");
     for (const MapRings& rings : area.rings) {
       const Outline outline = to_outline(rings, plane);

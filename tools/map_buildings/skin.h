@@ -3,6 +3,8 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "tools/osm/osm_data.h"
 
@@ -16,5 +18,8 @@ enum class Skin { walls, roof };
 /// they say nothing that is known. Colours are as bright as paint is: white reflects 0.75 (Oke
 /// 1987, table 8.2: white paint 0.50-0.90), and every other colour as much less as it is darker.
 std::optional<glm::vec3> find_skin(const osm::OsmTags& tags, Skin skin);
+
+/// Returns notes on the tags of colours and materials of parts for which `find_skin` finds nothing.
+std::vector<std::string> find_unread_skins(const osm::OsmTags& tags);
 
 }  // namespace nightcity::map_buildings

@@ -10,6 +10,7 @@
 
 #include "formats/finite.h"
 #include "tools/in_ring.h"
+#include "tools/lights/lamp_state.h"
 #include "tools/lights/lamp_tags.h"
 #include "tools/lights/lit_tag.h"
 #include "tools/lights/road_index.h"
@@ -75,6 +76,8 @@ class Placer {
     if (!kind || !options_.makes(*kind)) return;
     ++counts(*kind).mapped;
     if (osm::is_out_of_use(thing.tags, today())) return out_.leave_out("disused or abandoned");
+    if (lights::is_below_ground(thing.tags))
+      return out_.leave_out("below the ground or in a building");
     const std::vector<glm::dvec2> outline = find_outline(thing, ground_.to_frame);
     if (outline.empty()) return out_.leave_out("outside the projection");
     if (*kind == MapLightKind::advertising)
@@ -88,6 +91,8 @@ class Placer {
     if (kind == MapLightKind::floodlit && is_flat(thing.tags))
       return out_.leave_out("plaque, mural or the like");
     if (!is_lit(thing, kind)) return out_.leave_out("that no tag says is lit");
+    if (kind == MapLightKind::pitch && osm::normalise_tag(find_tag(thing.tags, "covered")) == "yes")
+      return out_.leave_out("pitch below a roof");
     std::optional<Box> box = find_box(outline);
     if (!box) box = Box{outline.front(), {1, 0}, monument_m, monument_m};
     if (box->length_m > max_box_m) return out_.leave_out("larger than 250 m");

@@ -109,7 +109,10 @@ class SignReader {
   }
 
   void read_light() {
-    const std::string luminous = osm::normalise_tag(find("luminous"));
+    const std::string luminous = osm::normalise_tag(find("luminous")),
+                      animated = osm::normalise_tag(find("animated"));
+    // OSM wiki, "Key:animated": what is shown is light.
+    if (animated == "digital_display" || animated == "screen") sign_.luminous = true;
     if (luminous == "yes" || luminous == "no") sign_.luminous = luminous == "yes";
     const auto [lit, unread] = lights::read_lit_tags(tags_, "lit", half_);
     for (const std::string& text : unread) ++sign_.unread[text];

@@ -32,7 +32,7 @@ using ground_cover::tag_of;
 constexpr double tolerance_m = 1;
 
 bool is_area(const osm::OsmTags& tags) {
-  return tag_of(tags, "area") == "yes" || tag_of(tags, "type") == "multipolygon";
+  return osm::says_area(tags) || tag_of(tags, "type") == "multipolygon";
 }
 
 bool lies_below_ground(const osm::OsmTags& tags) {

@@ -64,7 +64,8 @@ void run(const InspectArguments& arguments) {
 void add_inspect_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "inspect",
-      "Print what a CityGML, CityJSON, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
+      "Print what a CityGML, CityJSON, OSM, .glb/.gltf, .lights, IES, EULUMDAT, TM-33 or GLDF "
+      "file holds");
   auto arguments = std::make_shared<InspectArguments>();
   command->add_option("file", arguments->file, "The file; its content decides what kind it is")
       ->required();

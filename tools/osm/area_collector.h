@@ -31,7 +31,7 @@ class AreaCollector : public osmium::handler::Handler {
     const std::vector<OuterRing>* untagged =
         from_way ? nullptr : outer_ways_.find_rings(area.orig_id());
     MapArea whole{(from_way ? "way/" : "relation/") + std::to_string(area.orig_id()),
-                  select_tags(area.tags(), selection_),
+                  select_tags(area.tags(), selection_, !from_way),
                   {}};
     if (!from_way && !untagged)
       if (const OsmTags* more = outer_ways_.find_more_tags(area.orig_id()))

@@ -161,7 +161,58 @@ const std::unordered_map<std::string_view, std::uint32_t>& names() {
       {"yellow", 0xFFFF00},
       {"yellowgreen", 0x9ACD32},
       {"cream", 0xFFFDD0},
+      {"offwhite", 0xFAF9F6},
+      {"ochre", 0xCC7722},
+      {"lightbrown", 0xC4A484},
+      {"darkbrown", 0x5C4033},
       {"anthracite", 0x383E42}};
+  return table;
+}
+
+// German mappers write colours in their language; a light or dark one is that of CSS.
+const std::unordered_map<std::string_view, std::string_view>& german_names() {
+  static const std::unordered_map<std::string_view, std::string_view> table{
+      {"wei\xc3\x9f", "white"},
+      {"weiss", "white"},
+      {"schwarz", "black"},
+      {"rot", "red"},
+      {"hellrot", "lightcoral"},
+      {"dunkelrot", "darkred"},
+      {"gelb", "yellow"},
+      {"hellgelb", "lightyellow"},
+      {"gr\xc3\xbcn", "green"},
+      {"gruen", "green"},
+      {"hellgr\xc3\xbcn", "lightgreen"},
+      {"dunkelgr\xc3\xbcn", "darkgreen"},
+      {"blau", "blue"},
+      {"hellblau", "lightblue"},
+      {"dunkelblau", "darkblue"},
+      {"grau", "gray"},
+      {"hellgrau", "lightgray"},
+      {"dunkelgrau", "dimgray"},
+      {"braun", "brown"},
+      {"hellbraun", "lightbrown"},
+      {"dunkelbraun", "darkbrown"},
+      {"rosa", "pink"},
+      {"t\xc3\xbcrkis", "turquoise"},
+      {"lila", "purple"},
+      {"violett", "violet"},
+      {"anthrazit", "anthracite"},
+      {"creme", "cream"},
+      {"ocker", "ochre"},
+      {"silber", "silver"}};
+  return table;
+}
+
+// Colours of RAL Classic that walls and roofs have, as usual tables give them in sRGB.
+const std::unordered_map<std::string_view, std::uint32_t>& ral_colours() {
+  static const std::unordered_map<std::string_view, std::uint32_t> table{
+      {"1001", 0xD0B084}, {"1013", 0xE3D9C6}, {"1014", 0xDDC49A}, {"1015", 0xE6D2B5},
+      {"3000", 0xA72920}, {"3009", 0x6D342D}, {"3011", 0x792423}, {"5010", 0x004F7C},
+      {"6005", 0x114232}, {"7001", 0x8C969D}, {"7015", 0x51565C}, {"7016", 0x383E42},
+      {"7035", 0xC5C7C4}, {"7040", 0x989EA1}, {"8004", 0x8D4931}, {"8012", 0x66332B},
+      {"8017", 0x442F29}, {"9001", 0xE9E0D2}, {"9002", 0xD7D5CB}, {"9005", 0x0E0E10},
+      {"9006", 0xA1A1A0}, {"9007", 0x878581}, {"9010", 0xF1ECE1}, {"9016", 0xF1F0EA}};
   return table;
 }
 
@@ -193,17 +244,32 @@ std::optional<std::uint32_t> parse_rgb(std::string_view text) {
   return text.ends_with(')') ? std::optional(value) : std::nullopt;
 }
 
+std::optional<std::uint32_t> parse_one(std::string_view text) {
+  std::string word = normalise_tag(text);
+  if (word.starts_with("rgb(") || word.starts_with("rgba(")) return parse_rgb(word);
+  std::erase(word, '_');
+  if (word.starts_with('#')) return parse_hex(std::string_view(word).substr(1));
+  if (word.starts_with("ral")) {
+    const auto ral = ral_colours().find(std::string_view(word).substr(3));
+    return ral == ral_colours().end() ? std::nullopt : std::optional(ral->second);
+  }
+  if (const auto german = german_names().find(word); german != german_names().end())
+    word = german->second;
+  if (const auto known = names().find(word); known != names().end()) return known->second;
+  return word.size() == 6 ? parse_hex(word) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> parse_colour(std::string_view text) {
-  const auto parts = split_list(text);
-  if (parts.empty()) return std::nullopt;
-  std::string word = normalise_tag(parts.front());
-  if (word.starts_with('#')) return parse_hex(std::string_view(word).substr(1));
-  if (word.starts_with("rgb(") || word.starts_with("rgba(")) return parse_rgb(word);
-  std::erase(word, '_');
-  if (const auto known = names().find(word); known != names().end()) return known->second;
-  return word.size() == 6 ? parse_hex(word) : std::nullopt;
+  std::string list(text);
+  // "red|white", "red, white"; a formula such as "rgb(1, 2, 3)" has commas of its own.
+  if (list.find('(') == std::string::npos)
+    for (char& c : list)
+      if (c == '|' || c == ',' || c == '/') c = ';';
+  for (const std::string_view part : split_list(list))
+    if (const auto colour = parse_one(part)) return colour;
+  return std::nullopt;
 }
 
 }  // namespace nightcity::osm

@@ -72,7 +72,7 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   if (version.deleted) return;
   ++data_.ways;
   if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags) &&
-      !is_barrier(tags) && !is_railway(tags) && !may_shine(tags))
+      !is_barrier(tags) && !is_railway(tags) && !is_watercourse(tags) && !may_shine(tags))
     return;
   if (is_gone(tags, today_) && !is_lamp(tags)) {
     ++data_.gone;
@@ -158,6 +158,8 @@ void OsmCollector::place_ways() {
       else
         ++data_.missing_nodes;
     }
+    data_.missing_nodes +=
+        pending.nodes.empty();  // as `out tags` and `out bb` of Overpass leave it
     const bool highway = is_highway(way.tags);
     if (!highway && is_lamp(way.tags) && !way.lon_lat.empty())
       data_.lamps.push_back({way.id, mean(way.lon_lat), way.tags, true});
@@ -165,6 +167,7 @@ void OsmCollector::place_ways() {
     if (may_shine(way.tags)) data_.shining_things.push_back({way.id, true, way.lon_lat, way.tags});
     if (is_barrier(way.tags)) data_.barriers.push_back(way);
     if (is_railway(way.tags)) data_.railways.push_back(way);
+    if (is_watercourse(way.tags)) data_.watercourses.push_back(way);
     if (highway)
       data_.highways.push_back(std::move(way));
     else if (is_building(way.tags))

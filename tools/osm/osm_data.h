@@ -60,14 +60,15 @@ struct OsmData {
   std::vector<OsmLampNode> lamps;  // street_lamp, lantern, floodlight, tower:type=lighting, ...
   std::vector<OsmWay> highways;
   std::vector<OsmWay> buildings;
-  std::vector<OsmPoint> trees;      // natural=tree
-  std::vector<OsmWay> tree_rows;    // natural=tree_row
-  std::vector<OsmWay> barriers;     // barrier=wall, hedge, fence, ...
-  std::vector<OsmWay> railways;     // railway=rail, tram, platform, ...
-  std::vector<OsmPoint> controls;   // nodes with highway=stop, give_way, traffic_signals
-  std::vector<OsmPoint> crossings;  // nodes with highway=crossing
-  std::vector<OsmPoint> gates;      // nodes with barrier=gate, entrance, ...
-  std::vector<OsmPoint> squares;    // nodes with place=square
+  std::vector<OsmPoint> trees;       // natural=tree
+  std::vector<OsmWay> tree_rows;     // natural=tree_row
+  std::vector<OsmWay> barriers;      // barrier=wall, hedge, fence, ...
+  std::vector<OsmWay> railways;      // railway=rail, tram, platform, ...
+  std::vector<OsmWay> watercourses;  // waterway=river, stream, ...; natural=coastline
+  std::vector<OsmPoint> controls;    // nodes with highway=stop, give_way, traffic_signals
+  std::vector<OsmPoint> crossings;   // nodes with highway=crossing
+  std::vector<OsmPoint> gates;       // nodes with barrier=gate, entrance, ...
+  std::vector<OsmPoint> squares;     // nodes with place=square
   std::vector<OsmShiningThing> shining_things;  // by id, nodes first
   std::size_t nodes = 0, ways = 0, relations = 0;
   std::size_t barrier_relations = 0;  // with barrier=*: read_map_areas has their outlines

@@ -38,6 +38,8 @@ constexpr std::array<std::string_view, 8> light_sources = {
 constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", "light_mast",
                                                    "lighting_mast"};
 constexpr std::array<std::string_view, 3> controls = {"stop", "give_way", "traffic_signals"};
+constexpr std::array<std::string_view, 6> watercourses = {"river", "stream", "canal",
+                                                          "drain", "ditch",  "tidal_channel"};
 constexpr std::array<std::string_view, 2> pitches = {"pitch", "track"};
 constexpr std::array<std::string_view, 9> churches = {"church", "cathedral", "chapel",
                                                       "mosque", "synagogue", "temple",
@@ -107,6 +109,16 @@ bool is_crossing(const OsmTags& tags) {
 bool is_building(const OsmTags& tags) {
   const std::string value = value_of(tags, "building");
   return !value.empty() && value != "no";
+}
+
+bool is_watercourse(const OsmTags& tags) {
+  return is_one_of(value_of(tags, "waterway"), watercourses) ||
+         value_of(tags, "natural") == "coastline";
+}
+
+bool says_area(const OsmTags& tags) {
+  const std::string value = value_of(tags, "area");
+  return value == "yes" || value == "true" || value == "1";
 }
 
 }  // namespace nightcity::osm

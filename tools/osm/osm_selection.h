@@ -39,4 +39,10 @@ bool is_control(const OsmTags& tags);
 /// Returns whether it has building=* but "no".
 bool is_building(const OsmTags& tags);
 
+/// Returns whether a way is the middle of a river, a stream or a canal, or a coast.
+bool is_watercourse(const OsmTags& tags);
+
+/// Returns whether the tag `area` says that a closed way is an outline.
+bool says_area(const OsmTags& tags);
+
 }  // namespace nightcity::osm

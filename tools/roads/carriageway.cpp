@@ -32,6 +32,48 @@ std::optional<int> count_at(const osm::OsmTags& tags, const char* key, int max) 
   return value;
 }
 
+std::size_t count_parts(const std::string& text) {
+  return 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '|'));
+}
+
+/// Returns the number of lanes from KEY SUFFIX or, without it, from the turns that are painted on
+/// each ("left|through|right").
+std::optional<int> find_lanes(const osm::OsmTags& tags, const char* suffix, int max) {
+  const std::string end(suffix);
+  if (const auto said = count_at(tags, ("lanes" + end).c_str(), max)) return said;
+  const std::string turns = raw(tags, ("turn:lanes" + end).c_str());
+  const std::size_t count = count_parts(turns);
+  if (turns.empty() || count > static_cast<std::size_t>(max)) return std::nullopt;
+  return static_cast<int>(count);
+}
+
+/// Returns the sum of the widths of lanes, such as "3|3.5|3".
+std::optional<double> sum_widths(const std::string& text) {
+  if (text.empty() || count_parts(text) > static_cast<std::size_t>(max_lanes)) return std::nullopt;
+  double sum_m = 0;
+  for (std::string_view rest = text;; rest.remove_prefix(rest.find('|') + 1)) {
+    const auto width = osm::parse_length_m(rest.substr(0, rest.find('|')));
+    if (!width || *width <= 0) return std::nullopt;
+    sum_m += *width;
+    if (rest.find('|') == std::string_view::npos) return sum_m;
+  }
+}
+
+/// Returns the width from the first of the tags that say one; OSM wiki, "Key:width": `est_width`
+/// is an estimate, and `width:carriageway` goes from kerb to kerb.
+std::optional<double> find_width_m(const osm::OsmTags& tags, double min_m) {
+  const auto is_sound = [&](const std::optional<double>& m) {
+    return m && *m >= min_m && *m <= max_width_m;
+  };
+  for (const char* key : {"width:carriageway", "width", "est_width"})
+    if (const auto width = osm::parse_length_m(raw(tags, key)); is_sound(width)) return width;
+  if (const auto all = sum_widths(raw(tags, "width:lanes")); is_sound(all)) return all;
+  const auto forward = sum_widths(raw(tags, "width:lanes:forward")),
+             backward = sum_widths(raw(tags, "width:lanes:backward"));
+  if (forward && backward && is_sound(*forward + *backward)) return *forward + *backward;
+  return std::nullopt;
+}
+
 /// The directions that are driven: along the way and against it.
 struct Directions {
   bool along = true, against = true;
@@ -49,23 +91,27 @@ Directions read_directions(const osm::OsmTags& tags, const Carriageway& carriage
 /// Fills in the lanes of each direction and returns how many lanes the carriageway has.
 int read_lanes(const osm::OsmTags& tags, Carriageway& carriageway) {
   const RoadClass& road = *carriageway.road_class;
-  const auto total = count_at(tags, "lanes", max_lanes);
+  auto total = count_at(tags, "lanes", max_lanes);
   const Directions driven = read_directions(tags, carriageway);
   if (!driven.along || !driven.against) {
+    if (!total) total = find_lanes(tags, driven.along ? ":forward" : ":backward", max_lanes);
+    if (!total) total = find_lanes(tags, "", max_lanes);
     const int lanes = total.value_or(std::max(1, road.lanes / 2));
     carriageway.lanes[driven.along ? 0 : 1] = std::min(lanes, max_lanes_each_way);
     return lanes;
   }
   const int lanes = total.value_or(road.lanes);
   const int both = std::max(2, lanes);
-  auto forward = count_at(tags, "lanes:forward", max_lanes_each_way),
-       backward = count_at(tags, "lanes:backward", max_lanes_each_way);
-  if (!forward && backward) forward = both - *backward;
-  if (!backward && forward) backward = both - *forward;
+  auto forward = find_lanes(tags, ":forward", max_lanes_each_way),
+       backward = find_lanes(tags, ":backward", max_lanes_each_way);
+  // A lane for both directions, mostly to turn left from.
+  const int shared = count_at(tags, "lanes:both_ways", max_lanes_each_way).value_or(0);
+  if (!forward && backward) forward = both - shared - *backward;
+  if (!backward && forward) backward = both - shared - *forward;
   // Nobody drives on an odd lane whose direction is not tagged: often it is for turning or parking.
   carriageway.lanes[0] = std::clamp(forward.value_or(both / 2), 1, max_lanes_each_way);
   carriageway.lanes[1] = std::clamp(backward.value_or(both / 2), 1, max_lanes_each_way);
-  return forward ? std::max(lanes, carriageway.lanes[0] + carriageway.lanes[1]) : lanes;
+  return forward ? std::max(lanes, carriageway.lanes[0] + carriageway.lanes[1] + shared) : lanes;
 }
 
 void read_parking(const osm::OsmTags& tags, Carriageway& carriageway) {
@@ -108,8 +154,7 @@ std::optional<Carriageway> read_carriageway(const osm::OsmTags& tags) {
   if (!path) read_parking(tags, carriageway);
   carriageway.width_m += carriageway.parked_m[0] + carriageway.parked_m[1];
   const double min_width_m = path ? 1 : 2;  // less is a slip of the pen
-  if (const auto width = osm::parse_length_m(raw(tags, "width"));
-      width && *width >= min_width_m && *width <= max_width_m)
+  if (const auto width = find_width_m(tags, min_width_m))
     carriageway.width_m = *width;
   else
     carriageway.is_widened = carriageway.parked_m[0] + carriageway.parked_m[1] > 0;

@@ -11,6 +11,7 @@
 #include "tools/ground_cover/measured_line.h"
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/roads/carriageway.h"
 
 namespace nightcity::steps {
@@ -62,7 +63,7 @@ class Builder {
         inside_(inside) {}
 
   void add(const osm::OsmWay& way) {
-    if (tag_of(way.tags, "highway") != "steps" || tag_of(way.tags, "area") == "yes") return;
+    if (tag_of(way.tags, "highway") != "steps" || osm::says_area(way.tags)) return;
     if (ground_cover::lies_inside(way.tags)) return;  // counted with the streets
     const std::vector<glm::dvec2> line = ground_cover::find_line(way.lon_lat, to_frame_, bounds_);
     if (line.size() < 2) return;

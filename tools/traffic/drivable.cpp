@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tools/osm/lifecycle.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/today.h"
 
@@ -46,7 +47,7 @@ bool is_closed(const osm::OsmWay& way) {
 std::string reason_against(const osm::OsmWay& way) {
   if (is_closed(way)) return "no access";
   if (osm::is_out_of_use(way.tags, today())) return "disused";
-  if (tag(way, "area") == "yes") return "area";
+  if (osm::says_area(way.tags)) return "area";
   if (tag(way, "highway") == "service" && !one_of(tag(way, "service"), {"", "alley"}))
     return "driveway or aisle";
   if (one_of(tag(way, "tunnel"), {"building_passage"}) || one_of(tag(way, "covered"), {"yes"}) ||

@@ -14,47 +14,13 @@
 #include "tools/osm/tag_values.h"
 #include "tools/place/place_grid.h"
 #include "tools/random.h"
-#include "tools/trees/leaf_habit.h"
+#include "tools/trees/tree_tags.h"
 
 namespace nightcity::trees {
 namespace {
 
-using ground_cover::tag_of;
-
 constexpr double usual_height_m = 10, usual_needle_height_m = 14, crown_of_height = 0.6;
 constexpr double min_distance_m = 4;  // of trees that the map does not show one by one
-
-std::optional<double> length_of(const osm::OsmTags& tags, const char* key, double low,
-                                double high) {
-  const auto found = tags.find(key);
-  if (found == tags.end()) return std::nullopt;
-  const auto length = osm::parse_length_m(found->second);
-  return length && *length >= low && *length <= high ? length : std::nullopt;
-}
-
-// The known part of a tree's size; the rest is assumed.
-struct KnownSize {
-  std::optional<double> height_m, crown_m, trunk_m;
-  LeafHabit habit;
-  bool is_shrub = false;
-};
-
-// Tags of leaves come before what the species says of them.
-LeafHabit read_habit(const osm::OsmTags& tags) {
-  const std::string type = tag_of(tags, "leaf_type"), cycle = tag_of(tags, "leaf_cycle");
-  LeafHabit habit;
-  const auto of_species = find_leaf_habit(tag_of(tags, "species"));
-  const auto of_genus = of_species ? of_species : find_leaf_habit(tag_of(tags, "genus"));
-  if (of_genus && type.empty()) habit = *of_genus;
-  if (type == "needleleaved") habit = {true, !of_genus || of_genus->evergreen};
-  if (!cycle.empty()) habit.evergreen = cycle == "evergreen";
-  return habit;
-}
-
-KnownSize read_tags(const osm::OsmTags& tags) {
-  return {length_of(tags, "height", 1, 100), length_of(tags, "diameter_crown", 0.5, 40),
-          std::nullopt, read_habit(tags)};
-}
 
 // Trees of unknown size differ by up to a fifth, by their place.
 Tree complete(const KnownSize& known, const glm::dvec2& place) {
@@ -108,19 +74,20 @@ class Planter {
   }
 
   void add_mapped(const osm::OsmPoint& tree) {
-    plant(to_frame_(tree.lon_lat), tree.tags, "mapped", false);
+    plant(to_frame_(tree.lon_lat), read_tree_tags(tree.tags), "mapped", false);
   }
 
   void add_row(const osm::OsmWay& row) {
     std::vector<glm::dvec2> line;
     for (const glm::dvec2& p : row.lon_lat)
       if (const glm::dvec2 place = to_frame_(p); finite(place)) line.push_back(place);
+    const KnownSize known = read_tree_tags(row.tags);
     double next_m = row_spacing_m / 2;  // to the next tree
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const double length = glm::distance(line[i], line[i + 1]);
       // A hostile row may be as long as the world.
       for (; next_m <= length && !is_full(); next_m += row_spacing_m)
-        plant(glm::mix(line[i], line[i + 1], next_m / length), row.tags, "in rows", true);
+        plant(glm::mix(line[i], line[i + 1], next_m / length), known, "in rows", true);
       next_m -= length;
       if (is_full()) {
         ++set_.left_out["row of trees beyond the first 200000"];
@@ -157,11 +124,23 @@ class Planter {
     }
     ground_cover::Box box = ground_cover::find_box(wood.rings);
     box = {glm::max(box.low, bounds.low), glm::min(box.high, bounds.high)};
-    strew(box, [&](const glm::dvec2& p, Random&) {
+    const osm::OsmTags none;
+    const osm::OsmTags& tags = wood.tags ? *wood.tags : none;
+    const bool is_mixed = ground_cover::tag_of(tags, "leaf_type") == "mixed";
+    KnownSize known = read_tree_tags(tags);
+    known.crown_m.reset();
+    const auto mean_m = known.height_m;
+    strew(box, [&](const glm::dvec2& p, Random& random) {
       if (!mesh::holds(wood.rings, p)) return;
       const ground_cover::Surface* surface = cover.surface_at(p);
-      if (surface && surface->kind == ground_cover::GroundKind::woodland)
-        plant(p, {}, "in woods", true);
+      if (!surface || surface->kind != ground_cover::GroundKind::woodland) return;
+      // Trees are as high as the wood in the mean, and half of a mixed one have needles.
+      if (mean_m) known.height_m = *mean_m * random.range(0.8, 1.2);
+      if (is_mixed && random.uniform() < 0.5)
+        known.habit = {true, true};
+      else if (is_mixed)
+        known.habit = {false, false};
+      plant(p, known, "in woods", true);
     });
   }
 
@@ -186,7 +165,7 @@ class Planter {
 
   bool is_full() const { return set_.trees.size() >= max_trees || tried_ > 20 * max_trees; }
 
-  void plant(const glm::dvec2& place, const osm::OsmTags& tags, const char* source,
+  void plant(const glm::dvec2& place, const KnownSize& known, const char* source,
              bool keeps_distance) {
     ++tried_;
     if (!finite(place)) return;
@@ -209,7 +188,7 @@ class Planter {
       ++set_.left_out["tree in a building or below a bridge"];
       return;
     }
-    add(make_tree(read_tags(tags), place), {place, *height}, source);
+    add(make_tree(known, place), {place, *height}, source);
   }
 
   void add(Tree tree, const glm::dvec3& foot, const char* source) {

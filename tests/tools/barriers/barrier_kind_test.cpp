@@ -76,5 +76,14 @@ TEST(BarrierKind, EveryRowIsPhysical) {
   }
 }
 
+TEST(BarrierKind, OfSeveralKindsTheFirstThatIsDrawnCounts) {
+  const auto design = design_of({{"barrier", "gate;wall;fence"}, {"height", "2.2"}});
+  ASSERT_TRUE(design);
+  EXPECT_EQ(design->kind.value, "wall");
+  EXPECT_EQ(design->kind.height_m, 2.2);
+  EXPECT_EQ(design_of({{"barrier", "hedge"}, {"est_height", "3"}})->kind.height_m, 3);
+  EXPECT_FALSE(design_of({{"barrier", "gate;ditch"}}));
+}
+
 }  // namespace
 }  // namespace nightcity::barriers

@@ -89,5 +89,13 @@ TEST(Crossings, ANodeInTheMiddleOfAJunctionIsCounted) {
   EXPECT_EQ(cover.left_out.at("crossing in the middle of a junction"), 1u);
 }
 
+// OSM wiki, "Key:crossing:markings".
+TEST(Crossings, LaddersAndListsHaveBars) {
+  for (const char* bars : {"zebra", "zebra:double", "ladder", "ladder:skewed", "zebra;dots"})
+    EXPECT_EQ(count_bars(paint(node({{"crossing:markings", bars}}))), 6u) << bars;
+  for (const char* none : {"no", "yes", "lines", "dots;dashes", "surface", ""})
+    EXPECT_EQ(count_bars(paint(node({{"crossing:markings", none}}))), 0u) << none;
+}
+
 }  // namespace
 }  // namespace nightcity::ground_cover

@@ -44,6 +44,11 @@ TEST(GroundKind, ReadsSurfacesAsPeopleWriteThem) {
   EXPECT_EQ(find_surface(" Paving-Stones "), GroundKind::paving_stones);
   EXPECT_EQ(find_surface("concrete:plates"), GroundKind::concrete);
   EXPECT_EQ(find_surface("sett;asphalt"), GroundKind::sett);
+  EXPECT_EQ(find_surface("paving_stones:30"), GroundKind::paving_stones);
+  EXPECT_EQ(find_surface("cobblestone:10"), GroundKind::sett);
+  EXPECT_EQ(find_surface("pebbles"), GroundKind::gravel);
+  EXPECT_EQ(find_surface("tiles"), GroundKind::paving_stones);
+  EXPECT_FALSE(find_surface(":30"));
   EXPECT_FALSE(find_surface("lava"));
   EXPECT_FALSE(find_surface(""));
   EXPECT_FALSE(find_surface(";"));

@@ -184,5 +184,76 @@ TEST(LandAreas, HostileAreasEndWithoutACrash) {
   EXPECT_EQ(cover.left_out.at("area without a finite outline"), 1u);
 }
 
+// OSM wiki: "Key:landcover", "Key:basin", "Tag:natural=wetland", "Key:golf".
+TEST(LandAreas, WhatLiesThereComesBeforeWhatTheLandIsFor) {
+  EXPECT_EQ(kind_of({{"landcover", "grass"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"landcover", "trees"}}), GroundKind::woodland);
+  EXPECT_EQ(kind_of({{"landuse", "forest"}, {"landcover", "grass"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"landuse", "basin"}}), GroundKind::water);
+  EXPECT_EQ(kind_of({{"landuse", "basin"}, {"basin", "retention"}}), GroundKind::water);
+  EXPECT_EQ(kind_of({{"landuse", "basin"}, {"basin", "infiltration"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"natural", "water"}, {"water", "basin"}, {"basin", "detention"}}),
+            GroundKind::grass);
+  EXPECT_EQ(kind_of({{"natural", "wetland"}, {"wetland", "reedbed"}}), GroundKind::scrub);
+  EXPECT_EQ(kind_of({{"natural", "wetland"}, {"wetland", "tidalflat"}}), GroundKind::soil);
+  EXPECT_EQ(kind_of({{"natural", "wetland"}, {"wetland", "saltmarsh"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"natural", "wetland"}, {"wetland", "swamp"}}), GroundKind::woodland);
+  EXPECT_EQ(kind_of({{"golf", "fairway"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"golf", "water_hazard"}}), GroundKind::water);
+  EXPECT_EQ(kind_of({{"natural", "mud"}}), GroundKind::soil);
+  EXPECT_EQ(kind_of({{"aeroway", "helipad"}}), GroundKind::concrete);
+  EXPECT_EQ(kind_of({{"leisure", "pitch"}, {"sport", "beachvolleyball"}}), GroundKind::sand);
+  EXPECT_EQ(kind_of({{"leisure", "pitch"}, {"sport", "basketball"}}), GroundKind::asphalt);
+  EXPECT_EQ(kind_of({{"leisure", "pitch"}, {"sport", "basketball"}, {"surface", "tartan"}}),
+            GroundKind::tartan);
+  EXPECT_EQ(kind_of({{"landuse", "grass;meadow"}}), GroundKind::grass);
+}
+
+TEST(LandAreas, StreetsAreAreasWhereTheirTagsSaySo) {
+  for (const char* yes : {"yes", "true", "1"})
+    EXPECT_EQ(kind_of({{"highway", "pedestrian"}, {"area", yes}}), GroundKind::paving_stones);
+  EXPECT_EQ(kind_of({{"highway", "pedestrian"}, {"type", "multipolygon"}}),
+            GroundKind::paving_stones);
+  EXPECT_EQ(kind_of({{"highway", "pedestrian"}}), GroundKind::count);
+  EXPECT_EQ(kind_of({{"area:highway", "traffic_island"}}), GroundKind::paving_stones);
+  EXPECT_EQ(kind_of({{"leisure", "track"}}), GroundKind::tartan);
+  EXPECT_EQ(kind_of({{"leisure", "track"}, {"area", "no"}}), GroundKind::count);
+}
+
+TEST(LandAreas, WhatLiesOnOtherLevelsIsNoGround) {
+  for (const osm::OsmTags& tags : {osm::OsmTags{{"amenity", "parking"}, {"layer", "-1"}},
+                                   osm::OsmTags{{"leisure", "garden"}, {"level", "3"}},
+                                   osm::OsmTags{{"railway", "platform"}, {"level", "-1;-2"}},
+                                   osm::OsmTags{{"leisure", "swimming_pool"}, {"covered", "yes"}}})
+    EXPECT_EQ(kind_of(tags), GroundKind::count);
+  EXPECT_EQ(kind_of({{"leisure", "garden"}, {"level", "0"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"railway", "platform"}, {"level", "0;-1"}}), GroundKind::paving_stones);
+  EXPECT_EQ(kind_of({{"natural", "water"}, {"layer", "-1"}}), GroundKind::water);
+}
+
+TEST(LandAreas, ASurfaceThatIsNotKnownIsCounted) {
+  Cover cover;
+  const std::vector<osm::MapArea> areas{
+      square(-10, 10, {{"amenity", "parking"}, {"surface", "chewing_gum"}})};
+  add_land(areas, as_metres, bounds, cover);
+  EXPECT_EQ(cover.assumed.at("surface of land whose tag is not known"), 1u);
+}
+
+TEST(LandAreas, ASquareThatIsAMultipolygonIsAnAreaAndAWayWithoutNodesIsCounted) {
+  const test::TempFolder folder;
+  std::ofstream(folder / "map.osm") << R"(<osm version="0.6">
+<node id="1" version="1" lon="0" lat="0"/><node id="2" version="1" lon="9" lat="0"/>
+<node id="3" version="1" lon="9" lat="9"/><node id="4" version="1" lon="0" lat="9"/>
+<way id="1" version="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/></way>
+<way id="2" version="1"><bounds minlat="0" minlon="0" maxlat="1" maxlon="1"/>
+  <tag k="landuse" v="grass"/></way>
+<relation id="1" version="1"><member type="way" ref="1" role="outer"/>
+  <tag k="type" v="multipolygon"/><tag k="highway" v="pedestrian"/></relation></osm>)";
+  const osm::MapAreas map = osm::read_map_areas(folder / "map.osm", select_land(), 1000);
+  ASSERT_EQ(map.areas.size(), 1u);
+  EXPECT_EQ(kind_of(map.areas[0].tags), GroundKind::paving_stones);
+  EXPECT_EQ(map.broken, 1u);
+}
+
 }  // namespace
 }  // namespace nightcity::ground_cover

@@ -274,5 +274,21 @@ TEST(LampTags, ColoursInEverySpelling) {
   }
 }
 
+// OSM wiki, "Key:support", "Key:lamp_mount", "Key:light:method".
+TEST(LampTags, WordsOfMappersForMountsTypesAndColours) {
+  const auto mount = [](const char* word) { return read_lamp_tags({{"support", word}}).mount; };
+  for (const char* post : {"lamppost", "street_lamp", "pedestal", "tower"})
+    EXPECT_EQ(mount(post), LampMount::straight_mast) << post;
+  for (const char* wall : {"building", "bracket", "roof", "bridge"})
+    EXPECT_EQ(mount(wall), LampMount::wall) << wall;
+  EXPECT_EQ(mount("tree"), LampMount::suspended);
+  EXPECT_EQ(parse_lamp_type("Natriumdampf"), LampType::high_pressure_sodium);
+  EXPECT_EQ(parse_lamp_type("LED_retrofit"), LampType::led);
+  EXPECT_TRUE(read_lamp_tags({{"light:method", "electrical"}}).unread.empty());
+  EXPECT_EQ(parse_cct_k("warmwei\xc3\x9f"), 2850);
+  EXPECT_EQ(parse_cct_k("K3000"), 3000);
+  EXPECT_FALSE(parse_cct_k("K"));
+}
+
 }  // namespace
 }  // namespace nightcity::lights

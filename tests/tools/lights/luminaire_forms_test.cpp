@@ -370,5 +370,44 @@ TEST_F(LuminaireForms, AFileOfNeitherFormatIsToldSo) {
   EXPECT_NE(error_of("hello\n").find("neither EULUMDAT nor IES"), std::string::npos);
 }
 
+// Form feeds, blanks that do not break, and a turn that begins elsewhere than at 0.
+TEST_F(LuminaireForms, PagesBlanksAndTurnsAsProgramsWriteThem) {
+  EXPECT_NEAR(flux("\f" + ies("4 1 1", "\f" + even)), hemisphere_lm, 1e-9);
+  EXPECT_NEAR(flux(ies("4 1 1", replaced(even, " ", "\xc2\xa0"))), hemisphere_lm, 1e-9);
+  const std::string row = "100 100 100 100\n";
+  for (const char* planes :
+       {"15 105 195 285", "-180 -90 0 90 180", "-90 0 90 180", "0 90 180 270"}) {
+    const std::string angles(planes);
+    const auto count = 1 + std::count(angles.begin(), angles.end(), ' ');
+    std::string table = "0 30 60 90\n" + angles + "\n";
+    for (std::ptrdiff_t n = 0; n < count; ++n) table += row;
+    EXPECT_NEAR(flux(ies("4 " + std::to_string(count) + " 1", table)), hemisphere_lm, 1e-6)
+        << planes;
+  }
+  // The plane at 105 degrees is the brightest, wherever the list begins.
+  const Luminaire turned = read(ies("2 4 1", "0 90\n15 105 195 285\n1 1\n9 9\n1 1\n1 1\n"));
+  EXPECT_NEAR(intensity_at(turned.grid, 105, 45), 9, 1e-9);
+  EXPECT_NEAR(intensity_at(turned.grid, 0, 45), 1, 1e-9);
+  EXPECT_NEAR(intensity_at(turned.grid, 60, 45), 5, 1e-9);
+  for (const char* planes : {"90 180", "180 270", "720 900 1080", "-720 -540 -360"}) {
+    const std::string angles(planes);
+    const auto count = 1 + std::count(angles.begin(), angles.end(), ' ');
+    std::string table = "0 30 60 90\n" + angles + "\n";
+    for (std::ptrdiff_t n = 0; n < count; ++n) table += row;
+    EXPECT_NE(error_of(ies("4 " + std::to_string(count) + " 1", table)).find("horizontal angles"),
+              std::string::npos)
+        << planes;
+  }
+}
+
+TEST_F(LuminaireForms, OfSeveralLuminairesTheFirstIsReadAndToldSo) {
+  const std::string one = ies("4 1 1", even);
+  const Luminaire first = read(one + one + one);
+  EXPECT_NEAR(first.flux_lm, hemisphere_lm, 1e-9);
+  EXPECT_EQ(first.notes,
+            (std::vector<std::string>{"the file holds 3 luminaires, of which the first is read"}));
+  EXPECT_TRUE(read(one).notes.empty());
+}
+
 }  // namespace
 }  // namespace nightcity::lights

@@ -139,9 +139,45 @@ TEST(NightSchedule, OfHoursThatDifferByTheDayThoseOfAWednesdayHold) {
     ASSERT_TRUE(hours) << text;
     EXPECT_EQ(*hours, schedule) << text;
   }
-  for (const char* text :
-       {"PH off", "Mo-Fr", "Mo-Fr;", "Monday 17:00-22:00", "Mo-Fr 20:00-22:00;We"})
+  for (const char* text : {"We[1] 17:00-22:00", "Moo-Fr", "Mo-Fr 20:00-22:00;We[2]"})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
+}
+
+TEST(NightSchedule, DaysWithoutHoursAreWholeDays) {
+  const NightSchedule all = dark_between(night_minutes, night_minutes);
+  for (const char* text : {"Mo-Fr", "Mo-Fr;", "PH off", "Oct-Mar", "Dec", "Apr-Sep off",
+                           "week 40-53", "Mo-Fr 20:00-22:00;We,Th"}) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_EQ(*hours, all) << text;
+  }
+  for (const char* text :
+       {"Sa,Su", "PH", "Apr-Sep", "Dec off", "closed", "week 1-26", "24/7 off"}) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_TRUE(hours->never()) << text;
+  }
+}
+
+TEST(NightSchedule, WordsRoundHoursAreNoHours) {
+  const NightSchedule evening{{minute_of(17, 0)}, {minute_of(22, 0)}};
+  for (const char* text :
+       {"Monday-Friday 17:00-22:00", "Mon-Fri 17:00-22:00", "Montag-Freitag 17:00-22:00",
+        "Di-Do 17:00-22:00", "daily 17:00-22:00", "t\xc3\xa4glich 17:00 bis 22:00 Uhr",
+        "5pm to 10pm", "17:00-22:00 \"on demand\"", "17:00-22:00 || \"on demand\"",
+        "17:00-22:00 || unknown", "sunset/22:00", "week 40-53 17:00-22:00",
+        "week 1-13,40-53 17:00-22:00"}) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_EQ(*hours, evening) << text;
+  }
+  EXPECT_TRUE(parse_lit_hours("week 1-10 17:00-22:00")->never());
+  EXPECT_FALSE(parse_lit_hours("week 1-10 17:00-22:00", Half::south)->lit_at(minute_of(18, 0)));
+  EXPECT_TRUE(parse_lit_hours("week 20-30 17:00-22:00", Half::south)->lit_at(minute_of(18, 0)));
+  for (const char* text : {"week 1-53/2 17:00-22:00", "week 17:00-22:00", "week", "\"17:00-22:00\"",
+                           "17:00-22:00 \"", "|| 17:00-22:00"})
+    EXPECT_FALSE(parse_lit_hours(text)) << text;
+  EXPECT_FALSE(parse_lit_hours(std::string(2000, '"'))) << "no remark is as long";
 }
 
 TEST(NightSchedule, HoursOfOtherTimesAreReadAndDark) {
@@ -184,10 +220,9 @@ TEST(NightSchedule, HoursBySeasonOffOpenEndedAndOnClocksOfTwelveHours) {
     ASSERT_TRUE(hours) << text;
     EXPECT_EQ(*hours, schedule) << text;
   }
-  for (const char* text :
-       {"13pm-14pm", "0am-5am", "930-1200", "17:00-22:00+", "winter 17:00-22:00", "+", "off on",
-        "Oct- 17:00-22:00", "week 1-10 17:00-22:00", "17:00-23:00,22:00-05:00 off", "6-11pm",
-        "17:00-22:00 || \"on demand\"", "easter off", "Mo-Fr 17:00-22:00 off off"})
+  for (const char* text : {"13pm-14pm", "0am-5am", "930-1200", "17:00-22:00+", "winter 17:00-22:00",
+                           "+", "off on", "Oct- 17:00-22:00", "17:00-23:00,22:00-05:00 off",
+                           "6-11pm", "easter off", "Mo-Fr 17:00-22:00 off off"})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
 }
 

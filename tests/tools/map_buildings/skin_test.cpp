@@ -40,5 +40,58 @@ TEST(Skin, WhatIsNotKnownIsNoSkin) {
   EXPECT_FALSE(find_skin({}, Skin::roof));
 }
 
+TEST(Skin, ColoursInListsInGermanAndOfRal) {
+  const auto skin = [](const char* colour) {
+    return find_skin({{"building:colour", colour}}, Skin::walls);
+  };
+  for (const char* red : {"#F00", "#ff0000ff", "red;white", "red|white", "red, white", "red/white",
+                          "unheard of;red", "rot", "rgb(255, 0, 0)"})
+    EXPECT_EQ(skin(red), skin("#FF0000")) << red;
+  EXPECT_EQ(skin("wei\xc3\x9f"), skin("#FFFFFF"));
+  EXPECT_EQ(skin("hellgrau"), skin("#D3D3D3"));
+  EXPECT_EQ(skin("Dunkelrot"), skin("#8B0000"));
+  EXPECT_EQ(skin("RAL 7016"), skin("#383E42"));
+  EXPECT_EQ(skin("ral9010"), skin("#F1ECE1"));
+  EXPECT_FALSE(skin("RAL 12"));
+  EXPECT_FALSE(skin("/"));
+}
+
+TEST(Skin, OtherWordsForMaterialsAndTheFirstOfSeveral) {
+  const auto reflectance = [](Skin skin, const char* text) {
+    return luminance_of(
+        find_skin({{skin == Skin::walls ? "building:material" : "roof:material", text}}, skin)
+            .value());
+  };
+  for (const auto& [word, right] : {std::pair{"bricks", 0.30},
+                                    {"brick;stone", 0.30},
+                                    {"timber_framing", 0.50},
+                                    {"cement_block", 0.22},
+                                    {"metal_plates", 0.13},
+                                    {"mirror", 0.08},
+                                    {"adobe", 0.14},
+                                    {"something new;concrete", 0.22}})
+    EXPECT_NEAR(reflectance(Skin::walls, word), right, 1e-3) << word;
+  for (const auto& [word, right] : {std::pair{"tile", 0.22},
+                                    {"metal_sheet", 0.13},
+                                    {"zinc", 0.13},
+                                    {"asphalt_shingle", 0.13},
+                                    {"bitumen", 0.13},
+                                    {"eternit", 0.22},
+                                    {"reed", 0.18},
+                                    {"plants", 0.10},
+                                    {"solar_panels", 0.08},
+                                    {"clay", 0.22}})
+    EXPECT_NEAR(reflectance(Skin::roof, word), right, 1e-3) << word;
+}
+
+TEST(Skin, WhatIsNotUnderstoodIsNamed) {
+  EXPECT_EQ(find_unread_skins({{"building:colour", "plaid"}, {"roof:material", "cheese"}}),
+            (std::vector<std::string>{"building:colour=plaid, not understood",
+                                      "roof:material=cheese, not understood"}));
+  EXPECT_TRUE(
+      find_unread_skins({{"building:colour", "plaid"}, {"building:material", "brick"}}).empty());
+  EXPECT_TRUE(find_unread_skins({{"building", "yes"}}).empty());
+}
+
 }  // namespace
 }  // namespace nightcity::map_buildings

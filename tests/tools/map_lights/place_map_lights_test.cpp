@@ -242,5 +242,20 @@ TEST(MapLights, AMonumentThatIsANodeHasABodyToBeLit) {
   EXPECT_EQ(usual.report.notes.at("tag not understood: height=1e9"), 1u);
 }
 
+TEST(MapLights, WhatShinesBelowTheGroundOrInABuildingIsNotSeen) {
+  for (const auto& [key, value] : {std::pair{"indoor", "yes"},
+                                   {"level", "-1"},
+                                   {"location", "underground"},
+                                   {"layer", "-2"}}) {
+    const MapLightSet set = place({node(1, {0, 12}, {{"advertising", "screen"}, {key, value}})}, {},
+                                  test::make_flat_ground(), make_street());
+    EXPECT_EQ(set.signs.size(), 0u) << key;
+    EXPECT_EQ(set.report.left_out.at("below the ground or in a building"), 1u) << key;
+  }
+  osm::OsmTags hall = soccer;
+  hall["covered"] = "yes";
+  EXPECT_EQ(kind_of(place({area(2, {0, 0}, {100, 60}, hall)}), MapLightKind::pitch).lit, 0u);
+}
+
 }  // namespace
 }  // namespace nightcity::map_lights

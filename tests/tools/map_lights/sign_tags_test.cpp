@@ -89,5 +89,13 @@ TEST(SignTags, NoDefaultExceedsWhatASuburbMayHave) {
   EXPECT_EQ(find_sign("flag"), nullptr);
 }
 
+TEST(SignTags, ADigitalDisplayIsAScreen) {
+  const SignTags display = read("billboard", {{"animated", "digital_display"}});
+  EXPECT_EQ(display.dark, "");
+  EXPECT_EQ(display.luminance_cd_m2, read("billboard", {{"luminous", "yes"}}).luminance_cd_m2);
+  EXPECT_NE(read("billboard", {{"animated", "trivision_blades"}}).dark, "");
+  EXPECT_NE(read("billboard", {{"animated", "screen"}, {"luminous", "no"}}).dark, "");
+}
+
 }  // namespace
 }  // namespace nightcity::map_lights

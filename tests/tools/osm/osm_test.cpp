@@ -146,6 +146,24 @@ TEST_F(OsmFile, RailwaysComeBesideStreetsAlsoWhereOneWayIsBoth) {
   EXPECT_EQ(data.highways.size(), 1u);
 }
 
+TEST_F(OsmFile, AStreetWithoutNodesIsCounted) {
+  const OsmData data = read(R"(
+    <way id="1"><bounds minlat="52.5" minlon="13.4" maxlat="52.6" maxlon="13.5"/>
+      <tag k="highway" v="residential"/></way>)");
+  EXPECT_TRUE(data.highways.empty());
+  EXPECT_EQ(data.missing_nodes, 1u);
+}
+
+TEST_F(OsmFile, WatercoursesAndCoastsAreLines) {
+  const OsmData data = read(R"(
+    <node id="1" lat="52.5" lon="13.4"/><node id="2" lat="52.6" lon="13.4"/>
+    <way id="1"><nd ref="1"/><nd ref="2"/><tag k="waterway" v="stream"/></way>
+    <way id="2"><nd ref="1"/><nd ref="2"/><tag k="natural" v="coastline"/></way>
+    <way id="3"><nd ref="1"/><nd ref="2"/><tag k="waterway" v="dam"/></way>)");
+  ASSERT_EQ(data.watercourses.size(), 2u);
+  EXPECT_EQ(data.watercourses[1].id, 2);
+}
+
 TEST_F(OsmFile, LampsHighwaysAndBuildingsComeWithTagsAndPlaces) {
   const OsmData data = read(R"(
     <node id="1" lat="52.5" lon="13.4"><tag k="highway" v="street_lamp"/><tag k="lamp_type" v="LED"/></node>

@@ -117,5 +117,39 @@ TEST(RoadClass, EveryRowIsFoundAndSlipRoadsFallBackToTheirMainClass) {
     EXPECT_TRUE(find_road_class(guess_highway(width)));
 }
 
+TEST(Carriageway, WidthsUnderOtherKeysAreRead) {
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"est_width", "7"}}), 7);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"width", "narrow"}, {"est_width", "7"}}), 7);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"width", "9"}, {"est_width", "7"}}), 9);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"width", "12"}, {"width:carriageway", "6.5"}}), 6.5);
+  EXPECT_NEAR(width_of("residential", {{"width", "20'6\""}}), 6.2484, 1e-9);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"oneway", "yes"}, {"width:lanes", "3|3.5|3"}}), 9.5);
+  EXPECT_DOUBLE_EQ(
+      width_of("residential", {{"width:lanes:forward", "3|3"}, {"width:lanes:backward", "3.5"}}),
+      9.5);
+  for (const char* text : {"3||3", "|", "3|wide", "9|9|9|9|9|9|9|9|9|9|9|9|9|9"})
+    EXPECT_DOUBLE_EQ(width_of("residential", {{"oneway", "yes"}, {"width:lanes", text}}), 3.5)
+        << text;
+}
+
+// OSM wiki, "Key:lanes": lanes for both directions count, and turns are listed lane by lane.
+TEST(Carriageway, LanesAreCountedUnderEveryKey) {
+  EXPECT_DOUBLE_EQ(
+      width_of("residential",
+               {{"lanes:forward", "1"}, {"lanes:backward", "1"}, {"lanes:both_ways", "1"}}),
+      3 * 2.75);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"lanes", "3"}, {"lanes:both_ways", "1"}}), 3 * 2.75);
+  EXPECT_DOUBLE_EQ(width_of("primary", {{"oneway", "yes"}, {"turn:lanes", "left|through|right"}}),
+                   3 * 3.25);
+  EXPECT_DOUBLE_EQ(width_of("primary", {{"turn:lanes:forward", "left|through"},
+                                        {"turn:lanes:backward", "through"}}),
+                   3 * 3.25);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"oneway", "-1"}, {"lanes:backward", "2"}}), 5.5);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"oneway", "yes"}, {"lanes:forward", "2"}}), 5.5);
+  EXPECT_DOUBLE_EQ(
+      width_of("residential", {{"oneway", "yes"}, {"lanes", "1"}, {"turn:lanes", "left|through"}}),
+      3.5);
+}
+
 }  // namespace
 }  // namespace nightcity::roads

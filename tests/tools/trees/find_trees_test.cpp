@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "tests/tools/trees/flat_place.h"
+#include "tools/ground_cover/land_areas.h"
 
 namespace nightcity::trees {
 namespace {
@@ -82,6 +84,72 @@ TEST(FindTrees, AHostileMapEndsWithACount) {
              {{{-9e7, -9e7}, {9e7, -9e7}, {0, 9e7}}}});
   cover.finish();
   EXPECT_LE(find(map, cover).trees.size(), max_trees);
+}
+
+TEST(FindTrees, TagsInEveryLanguageAndAgeSayWhatStaysGreen) {
+  const auto is_green = [](const osm::OsmTags& tags) {
+    osm::OsmData map;
+    map.trees = {{{20, 0}, tags}};
+    return find(map).trees.at(0).evergreen;
+  };
+  for (const osm::OsmTags& tags : {osm::OsmTags{{"taxon", "Picea abies"}},
+                                   {{"taxon:species", "Pinus nigra"}},
+                                   {{"species:de", "Gemeine Fichte"}},
+                                   {{"genus:de", "Waldkiefer"}},
+                                   {{"species:en", "Norway Spruce"}},
+                                   {{"wood", "coniferous"}},
+                                   {{"type", "conifer"}},
+                                   {{"type", "palm"}},
+                                   {{"leaf_cycle", "semi_evergreen"}},
+                                   {{"species", "Ilex aquifolium"}},
+                                   {{"species", "Quercus ilex"}},
+                                   {{"species", "Quercus ilex"}, {"leaf_type", "broadleaved"}},
+                                   {{"genus", "Phoenix"}}})
+    EXPECT_TRUE(is_green(tags)) << tags.begin()->first << "=" << tags.begin()->second;
+  for (const osm::OsmTags& tags : {osm::OsmTags{{"genus:de", "L\xc3\xa4rche"}},
+                                   {{"species:en", "European larch"}},
+                                   {{"species", "Ilex verticillata"}},
+                                   {{"species:en", "Pineapple guava"}},
+                                   {{"species", "Quercus robur"}, {"species:de", "Eiche"}},
+                                   {{"wood", "deciduous"}},
+                                   {{"leaf_type", "broadleaved"}, {"genus", "Pinus"}},
+                                   {{"leaf_cycle", "semi_deciduous"}, {"genus", "Pinus"}}})
+    EXPECT_FALSE(is_green(tags)) << tags.begin()->first << "=" << tags.begin()->second;
+}
+
+TEST(FindTrees, AnEstimatedHeightIsBetterThanNone) {
+  osm::OsmData map;
+  map.trees = {{{20, 0}, {{"est_height", "18"}}},
+               {{40, 0}, {{"height", "9"}, {"est_height", "1"}}}};
+  const TreeSet set = find(map);
+  EXPECT_EQ(set.trees.at(0).height_m, 18);
+  EXPECT_EQ(set.trees.at(1).height_m, 9);
+}
+
+TEST(FindTrees, TreesOfAWoodAreAsItsTagsSay) {
+  const auto grow = [](osm::OsmTags tags) {
+    ground_cover::Cover cover;
+    tags.emplace("natural", "wood");
+    const std::vector<osm::MapArea> woods{
+        {"way/1", tags, {{{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}, {}}}}};
+    ground_cover::add_land(woods, as_metres, bounds, cover);
+    cover.finish();
+    return find({}, cover).trees;
+  };
+  const auto count_green = [](const std::vector<Tree>& trees) {
+    return std::count_if(trees.begin(), trees.end(), [](const Tree& t) { return t.evergreen; });
+  };
+  const auto plain = grow({});
+  ASSERT_GT(plain.size(), 1000u);
+  EXPECT_EQ(count_green(plain), 0);
+  const auto spruces = grow({{"leaf_type", "needleleaved"}, {"height", "25 m"}});
+  EXPECT_EQ(count_green(spruces), std::ssize(spruces));
+  double sum_m = 0;
+  for (const Tree& tree : spruces) sum_m += tree.height_m;
+  EXPECT_NEAR(sum_m / static_cast<double>(spruces.size()), 25, 0.5);
+  const auto mixed = grow({{"leaf_type", "mixed"}});
+  EXPECT_NEAR(static_cast<double>(count_green(mixed)) / static_cast<double>(mixed.size()), 0.5,
+              0.05);
 }
 
 }  // namespace

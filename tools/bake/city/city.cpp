@@ -20,6 +20,7 @@
 #include "tools/ground_cover/land_areas.h"
 #include "tools/ground_cover/rail_areas.h"
 #include "tools/ground_cover/street_areas.h"
+#include "tools/ground_cover/watercourses.h"
 #include "tools/inventory/add_to_map.h"
 #include "tools/names/find_named_streets.h"
 #include "tools/osm/map_areas.h"
@@ -174,7 +175,10 @@ void City::lay_cover(const GroundReport& ground) {
           {streets, map_.controls, map_.crossings, drives_on_the_left(), options.parking}, to_plan,
           bounds, cover_);
   }
-  if (options.land && !ground.has_land) add_land(bounds);
+  if (options.land && !ground.has_land) {
+    add_land(bounds);
+    ground_cover::add_watercourses(map_.watercourses, to_plan, bounds, cover_);
+  }
   if (options.rails && !ground.has_roads)
     ground_cover::add_rails(find_ground_ways(map_.railways), to_plan, bounds, cover_);
   cover_.finish();

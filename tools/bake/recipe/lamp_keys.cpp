@@ -217,7 +217,7 @@ Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path
   return {"lamps.luminaires",
           "One measured luminaire: a row of `[lamps] luminaires`.",
           {{"file", "path", "", "", "", "\"street.ldt\"",
-            "Photometric file: IES LM-63 or EULUMDAT. Required.",
+            "Photometric file: IES LM-63, EULUMDAT, TM-33 (XML) or GLDF. Required.",
             [&row, folder](const Value& value) {
               row.file = (folder / value.text()).lexically_normal();
             }},

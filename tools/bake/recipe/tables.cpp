@@ -158,9 +158,11 @@ Table make_ground_table(bake::CoverOptions& ground) {
            "every bridge if this is `false`."),
        flag_key("land", ground.land,
                 "Land, where the city model has neither land use nor water of its own: areas of "
-                "`natural`, `landuse`, `leisure`, `waterway`, `amenity`, `area:highway` and the "
-                "like as water, woods, grass, fields, sand, paved yards and squares, multipolygons "
-                "with their holes too. Built-up land (`landuse = residential`) says nothing about "
+                "`natural`, `landuse`, `landcover`, `leisure`, `waterway`, `amenity`, "
+                "`area:highway` and the like as water, woods, grass, fields, sand, paved yards and "
+                "squares, multipolygons with their holes too. Rivers, streams and canals that are "
+                "lines are water where `width` or `est_width` says how wide; others, and coasts, "
+                "are counted in metres. Built-up land (`landuse = residential`) says nothing about "
                 "the ground, which stays bare."),
        flag_key("gaps", ground.gaps,
                 "Where the map has a building and the city model has none, the map's stands there, "
@@ -190,10 +192,11 @@ Table make_ground_table(bake::CoverOptions& ground) {
             {"none", trees::Season::none}},
            "Trees of the map, which cast shadows: `natural=tree`, rows of trees, one every 8 m, "
            "and woods, one in each square of 7 m; and those of the model (`[city] vegetation`). "
-           "`height` and `diameter_crown` say how large they are, else a guess. Light passes the "
-           "gaps of their crowns: 3.3 % of what falls on a crown with leaves, 46 % in winter, "
-           "when only evergreens stay green, by `leaf_cycle`, `leaf_type` and the genus "
-           "(`species`, `genus`). `none`: no trees, of the map or of the model.")}};
+           "`height` (else `est_height`) and `diameter_crown` say how large they are, else a "
+           "guess. Light passes the gaps of their crowns: 3.3 % of what falls on a crown with "
+           "leaves, 46 % in winter, when only evergreens stay green, by `leaf_cycle`, `leaf_type` "
+           "and the genus or a name (`species`, `taxon`, `genus`, also `genus:de`), of woods too. "
+           "`none`: no trees, of the map or of the model.")}};
 }
 
 Table make_origin_table(bake::Recipe::Origin& origin) {

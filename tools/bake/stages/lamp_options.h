@@ -15,7 +15,7 @@ namespace nightcity::bake {
 
 /// A measured luminaire and the lamps that get it.
 struct LuminaireFile {
-  std::filesystem::path file;           // IES LM-63 or EULUMDAT
+  std::filesystem::path file;           // IES LM-63, EULUMDAT, TM-33 or GLDF
   std::vector<std::string> highways;    // OSM classes of road; empty: every road
   std::vector<lights::LampType> types;  // empty: every type
   std::vector<std::string> models;      // as an inventory names them; empty: every one

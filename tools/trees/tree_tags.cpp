@@ -1,0 +1,70 @@
+#include "tools/trees/tree_tags.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "tools/ground_cover/way_line.h"
+#include "tools/osm/tag_values.h"
+
+namespace nightcity::trees {
+namespace {
+
+using ground_cover::tag_of;
+
+std::optional<double> length_of(const osm::OsmTags& tags, const char* key, double low,
+                                double high) {
+  const auto found = tags.find(key);
+  if (found == tags.end()) return std::nullopt;
+  const auto length = osm::parse_length_m(found->second);
+  return length && *length >= low && *length <= high ? length : std::nullopt;
+}
+
+std::string text_of(const osm::OsmTags& tags, const std::string& key) {
+  const auto found = tags.find(key);
+  return found == tags.end() ? std::string() : found->second;
+}
+
+std::optional<LeafHabit> find_named_habit(const osm::OsmTags& tags) {
+  // A species says more than a genus, and a scientific name more than a common one.
+  for (const char* key : {"species", "taxon", "taxon:species", "genus", "taxon:genus"})
+    if (const auto habit = find_leaf_habit(text_of(tags, key))) return habit;
+  for (const std::string_view key : {"species:", "taxon:", "genus:"})
+    for (auto tag = tags.lower_bound(std::string(key));
+         tag != tags.end() && tag->first.starts_with(key); ++tag)
+      if (const auto habit = find_leaf_habit(tag->second)) return habit;
+  // OSM wiki, "Key:wood" and "Tag:natural=tree": older tags for the habit.
+  for (const char* key : {"wood", "type"}) {
+    const std::string value = tag_of(tags, key);
+    if (value == "evergreen") return LeafHabit{false, true};
+    if (value == "palm") return LeafHabit{false, true};
+    if (const auto habit = find_leaf_habit(value)) return habit;
+  }
+  return std::nullopt;
+}
+
+// Tags of leaves come before what the species says of them.
+LeafHabit read_habit(const osm::OsmTags& tags) {
+  const std::string type = tag_of(tags, "leaf_type"), cycle = tag_of(tags, "leaf_cycle");
+  LeafHabit habit;
+  const auto named = find_named_habit(tags);
+  if (named && type.empty()) habit = *named;
+  if (type == "needleleaved") habit = {true, !named || named->evergreen};
+  if (type == "broadleaved" && named) habit = {false, named->evergreen && !named->needles};
+  if (type == "palm") habit = {false, true};
+  if (!cycle.empty()) habit.evergreen = cycle == "evergreen" || cycle == "semi_evergreen";
+  return habit;
+}
+
+}  // namespace
+
+KnownSize read_tree_tags(const osm::OsmTags& tags) {
+  KnownSize known;
+  for (const char* key : {"height", "est_height"})
+    if (!known.height_m) known.height_m = length_of(tags, key, 1, 100);
+  known.crown_m = length_of(tags, "diameter_crown", 0.5, 40);
+  known.habit = read_habit(tags);
+  return known;
+}
+
+}  // namespace nightcity::trees
