@@ -9,6 +9,7 @@
 #include <string>
 
 #include "formats/error.h"
+#include "formats/input_file.h"
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/city/foreign_format.h"
@@ -203,6 +204,7 @@ bool begins_as_eulumdat(std::string_view text) {
 }
 
 Luminaire read_luminaire(const std::filesystem::path& file) {
+  refuse_special_file(file);
   std::array<char, 4> mark{};
   std::ifstream(file, std::ios::binary).read(mark.data(), mark.size());
   return std::string_view(mark.data(), mark.size()) == "PK\x03\x04"

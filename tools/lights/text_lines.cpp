@@ -66,6 +66,14 @@ TextLines::TextLines(std::string name, std::string content)
   if (lines_.empty()) throw Error(name_, "the file is empty");
 }
 
+std::size_t TextLines::find_line(std::size_t byte) const {
+  const auto begins_behind = [this](std::size_t at, const Line& line) {
+    return at < static_cast<std::size_t>(line.text.data() - content_.data());
+  };
+  const auto next = std::upper_bound(lines_.begin(), lines_.end(), byte, begins_behind);
+  return next == lines_.begin() ? 1 : std::prev(next)->number;
+}
+
 void TextLines::fail(std::size_t number, const std::string& message) const {
   throw Error(name_, number, message);
 }

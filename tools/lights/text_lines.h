@@ -30,6 +30,8 @@ class TextLines {
   /// The whole text, in UTF-8.
   const std::string& text() const { return content_; }
   const std::string& file() const { return name_; }
+  /// Returns the number of the line that holds a byte of text(), or of the last one before it.
+  std::size_t find_line(std::size_t byte) const;
 
   /// Throws Error with a line of this file.
   [[noreturn]] void fail(std::size_t number, const std::string& message) const;

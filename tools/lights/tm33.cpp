@@ -60,11 +60,8 @@ class Reader {
 
  private:
   std::size_t line_of(const pugi::xml_node& node) const {
-    const auto begin = lines_.text().begin();
-    const auto end =
-        begin + std::clamp<std::ptrdiff_t>(node.offset_debug(), 0,
-                                           static_cast<std::ptrdiff_t>(lines_.text().size()));
-    return 1 + static_cast<std::size_t>(std::count(begin, end, '\n'));
+    return lines_.find_line(
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug())));
   }
 
   double number(const char* text, std::size_t line, std::string_view what) const {

@@ -1,5 +1,6 @@
 // GLDF containers: the photometry inside is read by its own reader.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <zip.h>
 
 #include <map>
@@ -12,6 +13,13 @@
 
 namespace nightcity::lights {
 namespace {
+
+TEST(Luminaire, APipeIsRefusedBeforeItIsOpened) {
+  const test::TempFolder folder;
+  const std::filesystem::path pipe = folder / "a.ies";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(read_luminaire(pipe), Error);
+}
 
 const std::string even_ies =
     "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 4 1 1 2 0 0 0\n1 1 50\n0 30 60 90\n0\n100 100 100 100\n";

@@ -14,7 +14,7 @@ namespace {
 const std::filesystem::path tests = NIGHTCITY_SOURCE_DIR "/tests/tools/lights";
 
 TEST(LightsCorpus, EveryLuminaireIsReadOrRefused) {
-  test::expect_sound_files(tests / "corpus", 8, test::find_fault_of_luminaire);
+  test::expect_sound_files(tests / "corpus", 13, test::find_fault_of_luminaire);
 }
 
 TEST(LightsCorpus, EveryTagIsReadOrPassedOver) {

@@ -1,4 +1,4 @@
-// libFuzzer target: reads any bytes as a measured luminaire, IES LM-63 or EULUMDAT.
+// libFuzzer target: reads any bytes as a measured luminaire, IES LM-63, EULUMDAT, TM-33 or GLDF.
 #include <cstdint>
 
 #include "support/abort_with.h"

@@ -102,6 +102,13 @@ TEST(Tm33, ALambertianSourceGivesPiTimesItsPeak) {
   EXPECT_NEAR(luminaire.flux_lm, 1000, 0.2);
 }
 
+// To look for the line of each point from the beginning would take minutes.
+TEST(Tm33, ADegreeInAllDirectionsIsRead) {
+  const Luminaire luminaire = read_text(
+      document_2022(emitter_2022(list_points(every(1, 0, 360), every(1, 0, 180), hundred))));
+  EXPECT_NEAR(luminaire.flux_lm, 2 * half_space_lm, 1e-6);
+}
+
 TEST(Tm33, PlanesAreUnfoldedByTheSectorThatTheyList) {
   // 90 to 270 degrees: bright to the sides at 90 and 270, dark at 180.
   const auto sides = [](double h, double) { return 100 * std::abs(std::sin(h * pi / 180)); };
