@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "formats/error.h"
-#include "tools/city/end_date.h"
+#include "tools/city/merge_parts.h"
 #include "tools/cityjson/object_groups.h"
 
 namespace nightcity::cityjson {
@@ -22,12 +22,7 @@ std::vector<std::string_view> list_children(const dom::object& object) {
 void Batch::read(std::span<const GroupMember> group, const GeometrySources& sources,
                  const city::ReadOptions& options) {
   std::optional<city::RawObject> raw = read_object(group, sources, skipped);
-  if (raw && raw->has_ended) {
-    skipped.add(city::ended_object);
-    if (!raw->polygons.empty())
-      skipped.add("polygon: of an object that ended", raw->polygons.size());
-    return;
-  }
+  if (raw && raw->left_out) return city::count_left_out(*raw, skipped);
   if (raw) objects.push_back(city::merge_parts(std::move(*raw), options, report));
 }
 
