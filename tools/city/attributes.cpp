@@ -18,7 +18,13 @@ void append(std::string& field, std::string_view value) {
 
 void set_height(CityObject& object, std::string_view value, std::string_view unit) {
   constexpr double max_height_m = 5000;
-  const auto height = parse_measure(value);
+  auto height = parse_measure(value);
+  // "9.5 m": a unit in the text is as good as one beside it.
+  const std::size_t blank = value.find_last_of(' ');
+  if (!height && blank != value.npos && find_metres_per(value.substr(blank + 1))) {
+    height = parse_measure(value.substr(0, blank));
+    unit = value.substr(blank + 1);
+  }
   if (!height || is_sentinel(*height)) return;
   const double metres = *height * find_metres_per(unit).value_or(1);
   if (metres > 0 && metres < max_height_m) object.measured_height_m = metres;

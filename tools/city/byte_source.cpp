@@ -113,18 +113,16 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
     }));
   }
   if (!contents.documents.empty()) return contents;
+  const std::string none = "holds no " + join_endings(endings),
+                    remedy = ": unpack it and name what is inside";
   if (!first_raster.empty())
-    throw Error(path, "the archive holds no " + join_endings(endings) + ", but " + first_raster +
-                          ": heights belong in [terrain] dem");
-  if (to_lower(first_entry).ends_with(".kml"))
-    throw Error(path,
-                "the archive holds KML (" + first_entry + "): export the model as CityGML first");
-  const std::string remedy = ": unpack it and name what is inside";
+    throw NothingInside(path, none + ", but " + first_raster + ": heights belong in [terrain] dem");
   if (!contents.packed_entries.empty())
-    throw Error(path, "the archive holds another packed file (" + contents.packed_entries.front() +
-                          ")" + remedy);
-  throw Error(path, "the archive holds no " + join_endings(endings) +
-                        (first_entry.empty() ? "" : ", but " + first_entry + remedy));
+    throw NothingInside(
+        path, "holds another packed file (" + contents.packed_entries.front() + ")" + remedy);
+  if (to_lower(first_entry).ends_with(".kml"))
+    throw NothingInside(path, "holds KML (" + first_entry + "): export the model as CityGML first");
+  throw NothingInside(path, none + (first_entry.empty() ? "" : ", but " + first_entry + remedy));
 }
 
 constexpr std::string_view zip_mark = "PK\x03\x04";

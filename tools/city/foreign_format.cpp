@@ -280,6 +280,7 @@ std::string_view find_root_name(std::string_view start) {
 }
 
 std::string explain_foreign(std::string_view bytes, std::string_view name) {
+  if (name.ends_with(".toml")) return "is named as a recipe: `nightbake run` reads it";
   if (std::string found = explain(bytes, name, true); !found.empty()) return found;
   for (const auto& [endings, words] : by_name)
     for (const std::string_view ending : endings)

@@ -164,7 +164,12 @@ const FileFormat* find_format(const city::Document& document) {
 }
 
 std::string find_reason_to_pass_over(const std::filesystem::path& path) {
-  const auto documents = city::list_documents(path, city_endings());
+  std::vector<city::Document> documents;
+  try {
+    documents = list_readable(path).documents;
+  } catch (const city::NothingInside& archive) {
+    return archive.holds();
+  }
   if (documents.size() != 1) return {};
   const city::Document& document = documents.front();
   const std::string bytes = city::read_start(document, start_bytes), name = name_of(document);

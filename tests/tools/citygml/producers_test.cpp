@@ -88,6 +88,32 @@ TEST(CityGmlProducers, ASecondDocumentInOneFileIsRefusedWithItsLine) {
     EXPECT_EQ(read(one + behind).objects.size(), 1u) << behind;
 }
 
+// One page of a server's answer would be a part of the city.
+TEST(CityGmlProducers, APageOfAServersAnswerIsToldAsSuch) {
+  const auto warnings_of = [](const std::string& attributes, const std::string& more = "") {
+    std::string text = city_model(member(building("b")) + more);
+    for (std::size_t at = 0; (at = text.find("core:CityModel", at)) != std::string::npos;)
+      text.replace(at, 14, "wfs:FeatureCollection");
+    text.insert(text.find(" xmlns:gml"),
+                " xmlns:wfs=\"http://www.opengis.net/wfs/2.0\" " + attributes);
+    const City city = read(text);
+    EXPECT_EQ(city.objects.size(), 1u);
+    std::string all;
+    for (const std::string& warning : city.report.warnings) all += warning + "\n";
+    return all;
+  };
+  EXPECT_NE(warnings_of("numberMatched=\"1000\" numberReturned=\"1\"")
+                .find("incomplete: the server gave 1 of 1000 features"),
+            std::string::npos);
+  EXPECT_NE(warnings_of("numberMatched=\"unknown\" next=\"http://x/?startIndex=1&amp;count=1\"")
+                .find("incomplete: the server gave one page"),
+            std::string::npos);
+  for (const char* element : {"wfs:truncatedResponse", "ows:ExceptionReport"})
+    EXPECT_NE(warnings_of("", std::string("<") + element + "/>").find("broke its answer off"),
+              std::string::npos);
+  EXPECT_EQ(warnings_of("numberMatched=\"1\" numberReturned=\"1\" next=\"\""), "");
+}
+
 city::CityObject read_footprint(const std::string& properties) {
   City city = read_member("<bldg:Building gml:id=\"b\">" + properties + "<bldg:lod0FootPrint>" +
                           multi_surface(surface_member(polygon("", square_at_zero))) +
@@ -112,6 +138,8 @@ TEST(CityGmlProducers, AFootprintIsAsHighAsItsGenericAttributesSay) {
         std::string("<core:genericAttribute><gen:DoubleAttribute><gen:name>height</gen:name>"
                     "<gen:value>9</gen:value></gen:DoubleAttribute></core:genericAttribute>"),
         ground + roof, std::string("<bldg:measuredHeight uom=\"m\">9,0</bldg:measuredHeight>"),
+        std::string("<bldg:measuredHeight>9 m</bldg:measuredHeight>"),
+        std::string("<bldg:measuredHeight>900 cm</bldg:measuredHeight>"),
         "<bldg:measuredHeight uom=\"m\">9</bldg:measuredHeight>" +
             attribute("doubleAttribute", "Height", "40")}) {
     const city::CityObject house = read_footprint(properties);

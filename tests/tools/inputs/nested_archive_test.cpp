@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "formats/error.h"
 #include "support/error_message.h"
@@ -9,6 +10,7 @@
 #include "support/temp_folder.h"
 #include "tests/tools/city/read_city.h"
 #include "tests/tools/citygml/small_city.h"
+#include "tools/inputs/city_files.h"
 #include "tools/inputs/file_format.h"
 #include "tools/inputs/read_city.h"
 
@@ -99,6 +101,21 @@ TEST_F(NestedArchive, AMapIsAMapUnlessACityIsBeside) {
   EXPECT_EQ(find_format(write({{"map.osm", map}})).kind, FileKind::osm);
   EXPECT_EQ(find_format(write({{"map.osm", map}, {"a.gml", house("a")}})).kind, FileKind::city);
   EXPECT_EQ(ids_of(folder_ / "all.zip"), "a ");
+}
+
+// Portals put documents and rasters beside their models, packed too.
+TEST_F(NestedArchive, OtherArchivesInAFolderArePassedOver) {
+  test::write_text(folder_ / "a.gml", house("a"));
+  test::pack_zip(folder_ / "doc.zip", {{"a.pdf", "%PDF"}});
+  test::pack_zip(folder_ / "dem.zip", {{"a.tif", "II*"}});
+  test::pack_zip(folder_ / "map.zip", {{"map.osm", "<osm version=\"0.6\"/>"}});
+  EXPECT_EQ(city_files(folder_.path()), std::vector<fs::path>{folder_ / "a.gml"});
+  EXPECT_EQ(find_reason_to_pass_over(folder_ / "map.zip"), "is OSM");
+  EXPECT_NE(find_reason_to_pass_over(folder_ / "dem.zip").find("a.tif: heights belong in"),
+            std::string::npos);
+  fs::remove(folder_ / "a.gml");
+  EXPECT_NE(message_of([&] { city_files(folder_.path()); }).find("no city model in this folder"),
+            std::string::npos);
 }
 
 }  // namespace
