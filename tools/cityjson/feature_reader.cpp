@@ -1,5 +1,6 @@
 #include "tools/cityjson/feature_reader.h"
 
+#include <tuple>
 #include <utility>
 
 #include "formats/error.h"
@@ -15,6 +16,14 @@ std::vector<std::string_view> list_children(const dom::object& object) {
     for (const dom::element& child : *children)
       if (std::string_view id; child.get(id) == simdjson::SUCCESS) ids.push_back(id);
   return ids;
+}
+
+// CityJSON 1.0's drafts knew one "parent".
+std::string_view find_parent(const dom::object& object) {
+  std::string_view id;
+  if (const auto parents = find_array(object, "parents"); parents && parents->size() > 0)
+    std::ignore = parents->at(0).get(id);
+  return id.empty() ? find_text(object, "parent") : id;
 }
 
 }  // namespace
@@ -70,7 +79,8 @@ void read_feature(const dom::element& value, const SharedParts& shared,
       batch.skipped.add("city object that is no object");
       continue;
     }
-    nodes.push_back({id, find_object_class(find_text(object, "type")), list_children(object)});
+    nodes.push_back({id, find_object_class(find_text(object, "type")), list_children(object),
+                     find_parent(object)});
     parsed.push_back(object);
   }
   const ObjectGroups groups = group_objects(nodes, batch.skipped);

@@ -55,6 +55,24 @@ TEST(CityJsonProducers, AFootprintIsAsHighAsItsAttributesSay) {
   EXPECT_DOUBLE_EQ(height_of("\"b3_h_dak_max\":null,\"b3_h_maaiveld\":0.5"), 0);
 }
 
+// Parent and child should name each other; some writers fill in one of the two.
+TEST(CityJsonProducers, APartBelongsToTheParentThatItNames) {
+  for (const char* said : {"\"parents\":[\"b\"]", "\"parent\":\"b\""}) {
+    const std::string objects =
+        object("p", "BuildingPart", solid(), said) + "," + object("b", "Building", "") + "," +
+        object("q", "BuildingInstallation", solid("\"2\""), "\"parents\":[\"p\"]");
+    for (const City& city :
+         {read_city(city_json(objects)), read_city(header() + feature("b", objects))}) {
+      ASSERT_EQ(city.objects.size(), 1u) << said;
+      EXPECT_EQ(city.objects[0].id, "b");
+      EXPECT_EQ(city.objects[0].lod, 2);
+    }
+  }
+  const City alone =
+      read_city(city_json(object("p", "BuildingPart", solid(), "\"parents\":[\"x\"]")));
+  EXPECT_EQ(alone.objects.size(), 1u) << "its parent is in another file";
+}
+
 TEST(CityJsonProducers, ATransformThatIsNullIsNone) {
   std::string text = city_json(object("b", "Building", solid()), "", "1.1");
   text.replace(text.find(transform), std::string(transform).size(), "\"transform\":null");
