@@ -1,5 +1,5 @@
-// What says that a city object does not stand there today: dates at which objects begin and end,
-// and water that is no water but the flood of a plan.
+// Tells whether a city object stands there today: by dates at which objects begin and end, and by
+// the marks of water that is none, but the flood of a plan.
 #pragma once
 
 #include <chrono>
@@ -11,9 +11,9 @@ namespace nightcity::city {
 
 /// Returns why an object of this type is not there today by what one of its attributes says, as it
 /// is counted; null where it says no such thing. `name`: local name in lower case. These are
-/// * terminationDate and validTo, by which databases with a history say when an object was taken out
-///   of the model, and dateOfDemolition (CityGML 3); yearOfDemolition is a plan as often as a fact,
-///   and is not used;
+/// * terminationDate and validTo, by which databases with a history say when an object was taken
+///   out of the model, and dateOfDemolition (CityGML 3); yearOfDemolition is a plan as often as a
+///   fact, and is not used;
 /// * conditionOfConstruction (CityGML 3 and INSPIRE), a word or the address of one in a register:
 ///   demolished, projected, planned or declined (given up before it was built); a ruin and what is
 ///   under construction stand;

@@ -7,7 +7,7 @@
 
 namespace nightcity::city {
 
-/// What generic attributes of a building say of its height: the height itself ("height",
+/// Collects what generic attributes of a building say of its height: the height itself ("height",
 /// "Gebäudehöhe"), or the elevations of its roof and ground (3DBAG's b3_h_dak_70p and
 /// b3_h_maaiveld, the German surveys' HoeheDach and HoeheGrund, swisstopo's DACH_MAX and
 /// GELAENDEPUNKT).

@@ -1,4 +1,4 @@
-// What the answer of a server (WFS) says of itself: whether it is all that was asked for.
+// Tells by the answer of a server (WFS) whether it is all that was asked for.
 #pragma once
 
 #include <string>

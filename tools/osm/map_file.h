@@ -43,8 +43,8 @@ auto read_map_file(const std::filesystem::path& file, const Work& work) {
   }
 }
 
-/// How the names of maps in an archive end, in lower case. (.osm.gz is read under its name without
-/// .gz.)
+/// The endings of names of maps in an archive, in lower case. (.osm.gz is read under its name
+/// without .gz.)
 inline constexpr std::array<std::string_view, 4> map_endings{".osm", ".pbf", ".o5m", ".osm.bz2"};
 
 }  // namespace nightcity::osm

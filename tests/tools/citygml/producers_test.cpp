@@ -1,4 +1,4 @@
-// What portals and tools write beyond the examples of the standard: objects that are not there,
+// CityGML as portals and tools write it beyond the examples of the standard: objects that are not there,
 // heights under names of their own, links in place of objects, two documents in one file.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What tools write beyond the examples of the specification.
+// CityJSON as tools write it beyond the examples of the specification.
 #include <gtest/gtest.h>
 
 #include <string>
