@@ -1,5 +1,5 @@
-// CityGML as portals and tools write it beyond the examples of the standard: objects that are not there,
-// heights under names of their own, links in place of objects, two documents in one file.
+// CityGML as portals and tools write it beyond the examples of the standard: objects that are not
+// there, heights under names of their own, links in place of objects, two documents in one file.
 #include <gtest/gtest.h>
 
 #include <filesystem>
