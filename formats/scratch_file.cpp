@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -73,6 +74,10 @@ void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) {
     if (got <= 0) throw_system_error(path_, "scratch file cannot be read");
     done += static_cast<std::size_t>(got);
   }
+}
+
+std::filesystem::path ScratchFile::path_while_open() const {
+  return "/proc/self/fd/" + std::to_string(::fileno(file_.get()));
 }
 
 void ScratchFile::copy_to(AtomicFile& target) {

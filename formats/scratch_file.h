@@ -24,6 +24,9 @@ class ScratchFile {
   /// Writes what is buffered to the file. Until the next write, many threads may then read.
   void flush();
   void read(std::uint64_t offset, void* bytes, std::size_t size);
+  /// Returns a path by which this process may open the bytes for reading as long as this object is
+  /// there: for libraries that take names alone.
+  std::filesystem::path path_while_open() const;
   void copy_to(AtomicFile& target);
   void copy_to(ScratchFile& target);
 

@@ -18,7 +18,13 @@ void append(std::string& field, std::string_view value) {
 
 void set_height(CityObject& object, std::string_view value, std::string_view unit) {
   constexpr double max_height_m = 5000;
-  const auto height = parse_number(value);
+  auto height = parse_measure(value);
+  // "9.5 m": a unit in the text is as good as one beside it.
+  const std::size_t blank = value.find_last_of(' ');
+  if (!height && blank != value.npos && find_metres_per(value.substr(blank + 1))) {
+    height = parse_measure(value.substr(0, blank));
+    unit = value.substr(blank + 1);
+  }
   if (!height || is_sentinel(*height)) return;
   const double metres = *height * find_metres_per(unit).value_or(1);
   if (metres > 0 && metres < max_height_m) object.measured_height_m = metres;
@@ -59,6 +65,14 @@ std::optional<double> parse_number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
   return value;
+}
+
+std::optional<double> parse_measure(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == text.npos || text.find('.') != text.npos) return parse_number(text);
+  std::string pointed(text);
+  pointed[comma] = '.';
+  return parse_number(pointed);
 }
 
 bool is_sentinel(double value) {

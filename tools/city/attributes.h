@@ -16,6 +16,8 @@ std::string_view trim(std::string_view text);
 /// Returns the finite number that `text` is, with '.' as its decimal sign whatever the locale; none
 /// where anything but white space follows it.
 std::optional<double> parse_number(std::string_view text);
+/// The same of a text that may have a decimal comma, as some producers write attributes.
+std::optional<double> parse_measure(std::string_view text);
 
 /// Returns whether `value` is one that producers write where they mean "not known": 9999, 99999,
 /// 999 and their negatives.

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <zip.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +21,7 @@
 #include "tools/city/inflate_source.h"
 #include "tools/city/text_encoding.h"
 #include "tools/city/unpacked_size.h"
+#include "tools/city/zip_archive.h"
 
 namespace nightcity::city {
 namespace {
@@ -50,16 +49,10 @@ class PlainSource : public ByteSource {
   std::string name_;
 };
 
-std::uint64_t size_of(const std::string& name) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(name, error);
-  return error ? 0 : size;
-}
-
 class GzipSource : public ByteSource {
  public:
   explicit GzipSource(const std::string& name)
-      : file_(gzopen(name.c_str(), "rb")), name_(name), unpacked_(name, size_of(name)) {
+      : file_(gzopen(name.c_str(), "rb")), name_(name), unpacked_(name, find_packed_size(name)) {
     if (!file_) throw Error(name_, "cannot open the gzip stream");
     gzbuffer(file_, 1u << 18);
   }
@@ -86,75 +79,6 @@ class GzipSource : public ByteSource {
   UnpackedSize unpacked_;
 };
 
-struct ZipDeleter {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-  void operator()(zip_file_t* entry) const { zip_fclose(entry); }
-};
-
-// An archive, opened once for all of its entries: opening reads the list of them, so that opening
-// for each entry anew would take time quadratic in their number. libzip's handles are for one
-// thread at a time.
-class Archive {
- public:
-  explicit Archive(const std::string& path) : size_(size_of(path)) {
-    int code = 0;
-    archive_.reset(zip_open(path.c_str(), ZIP_RDONLY, &code));
-    if (!archive_) throw Error(path, "broken zip archive: damaged or cut off; fetch it again");
-  }
-
-  zip_t* get() const { return archive_.get(); }
-  std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
-  std::uint64_t packed_size(zip_uint64_t index) {
-    const auto held = lock();
-    zip_stat_t status;
-    zip_stat_init(&status);
-    const bool known = zip_stat_index(get(), index, 0, &status) == 0;
-    // No entry is larger than the archive, whatever it says.
-    return known && (status.valid & ZIP_STAT_COMP_SIZE) ? std::min(status.comp_size, size_) : 0;
-  }
-
- private:
-  std::mutex mutex_;
-  std::uint64_t size_;
-  std::unique_ptr<zip_t, ZipDeleter> archive_;
-};
-
-class ZipSource : public ByteSource {
- public:
-  ZipSource(std::shared_ptr<Archive> archive, zip_uint64_t index, std::string name)
-      : archive_(std::move(archive)),
-        name_(std::move(name)),
-        unpacked_(name_, archive_->packed_size(index)) {
-    const auto lock = archive_->lock();
-    entry_.reset(zip_fopen_index(archive_->get(), index, 0));
-    if (!entry_ && zip_error_code_zip(zip_get_error(archive_->get())) == ZIP_ER_NOPASSWD)
-      throw Error(name_, "is encrypted with a password: unpack it first");
-    if (!entry_)
-      throw Error(name_,
-                  std::string("cannot open the archive's entry: ") + zip_strerror(archive_->get()));
-  }
-  ~ZipSource() override {
-    const auto lock = archive_->lock();
-    entry_.reset();
-  }
-  ZipSource(const ZipSource&) = delete;
-  ZipSource& operator=(const ZipSource&) = delete;
-
-  std::size_t read(char* out, std::size_t size) override {
-    const auto lock = archive_->lock();
-    const zip_int64_t got = zip_fread(entry_.get(), out, size);
-    if (got < 0) throw Error(name_, "broken archive entry");
-    unpacked_.add(static_cast<std::size_t>(got));
-    return static_cast<std::size_t>(got);
-  }
-
- private:
-  std::shared_ptr<Archive> archive_;
-  std::unique_ptr<zip_file_t, ZipDeleter> entry_;
-  std::string name_;
-  UnpackedSize unpacked_;
-};
-
 constexpr std::array<std::string_view, 8> packed_endings = {".zip", ".gz",  ".tgz", ".tar",
                                                             ".7z",  ".bz2", ".xz",  ".rar"};
 
@@ -162,61 +86,43 @@ constexpr std::array<std::string_view, 8> packed_endings = {".zip", ".gz",  ".tg
 constexpr std::array<std::string_view, 6> raster_endings = {".tif", ".tiff", ".asc",
                                                             ".xyz", ".hgt",  ".flt"};
 
-// Archives made on a Mac hold "__MACOSX/._name" for each file, with icons and the like in it.
-bool is_hidden_entry(std::string_view entry) {
-  const std::size_t slash = entry.rfind('/');
-  const std::string_view name = slash == entry.npos ? entry : entry.substr(slash + 1);
-  return name.starts_with('.') || entry.starts_with("__MACOSX/");
-}
-
-// Calls `use` with number and name of each file in an archive.
-void visit_entries(const Archive& archive,
-                   const std::function<void(zip_uint64_t, const std::string&)>& use) {
-  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-  for (zip_int64_t i = 0; i < count; ++i) {
-    const auto index = static_cast<zip_uint64_t>(i);
-    const char* entry = zip_get_name(archive.get(), index, ZIP_FL_ENC_GUESS);
-    if (entry && !is_hidden_entry(entry) && !std::string_view(entry).ends_with('/'))
-      use(index, entry);
-  }
-}
-
 Document make_document(const std::string& name, bool packed,
                        const std::function<std::unique_ptr<ByteSource>()>& open) {
   return {name, packed, [open] { return to_utf8(open()); }, open};
 }
 
 FileContents list_archive(const std::string& path, std::span<const std::string_view> endings) {
-  const auto archive = std::make_shared<Archive>(path);
   FileContents contents;
   std::string first_entry, first_raster;
-  visit_entries(*archive, [&](zip_uint64_t index, const std::string& entry) {
-    const std::string lower = to_lower(entry);
-    if (first_entry.empty()) first_entry = entry;
-    if (first_raster.empty() && ends_with_any(lower, raster_endings)) first_raster = entry;
+  for (const ZipEntry& entry : list_zip_entries(path)) {
+    const std::string& inside = entry.inside;
+    const std::string lower = to_lower(inside);
+    if (first_entry.empty()) first_entry = inside;
+    if (first_raster.empty() && ends_with_any(lower, raster_endings)) first_raster = inside;
     // A stream is read under the name of what is in it.
     const std::size_t gzip = lower.ends_with(".gz") ? std::string_view(".gz").size() : 0;
     const bool is_wanted = ends_with_any(lower.substr(0, lower.size() - gzip), endings);
     if (!is_wanted && ends_with_any(lower, packed_endings))
-      contents.packed_entries.push_back(entry);
-    if (!is_wanted) return;
-    const std::string name = path + "/" + entry.substr(0, entry.size() - gzip);
+      contents.packed_entries.push_back(inside);
+    if (!is_wanted) continue;
+    const std::string name = path + "/" + inside.substr(0, inside.size() - gzip);
     contents.documents.push_back(make_document(name, true, [=]() -> std::unique_ptr<ByteSource> {
-      auto source = std::make_unique<ZipSource>(archive, index, name);
+      auto source = entry.open(name);
       if (gzip == 0) return source;
-      return inflate_stream(std::move(source), name, archive->packed_size(index));
+      return inflate_stream(std::move(source), name, entry.packed_size());
     }));
-  });
+  }
   if (!contents.documents.empty()) return contents;
+  const std::string none = "holds no " + join_endings(endings),
+                    remedy = ": unpack it and name what is inside";
   if (!first_raster.empty())
-    throw Error(path, "the archive holds no " + join_endings(endings) + ", but " + first_raster +
-                          ": heights belong in [terrain] dem");
-  const std::string remedy = ": unpack it and name what is inside";
+    throw NothingInside(path, none + ", but " + first_raster + ": heights belong in [terrain] dem");
   if (!contents.packed_entries.empty())
-    throw Error(path, "the archive holds another packed file (" + contents.packed_entries.front() +
-                          ")" + remedy);
-  throw Error(path, "the archive holds no " + join_endings(endings) +
-                        (first_entry.empty() ? "" : ", but " + first_entry + remedy));
+    throw NothingInside(
+        path, "holds another packed file (" + contents.packed_entries.front() + ")" + remedy);
+  if (to_lower(first_entry).ends_with(".kml"))
+    throw NothingInside(path, "holds KML (" + first_entry + "): export the model as CityGML first");
+  throw NothingInside(path, none + (first_entry.empty() ? "" : ", but " + first_entry + remedy));
 }
 
 constexpr std::string_view zip_mark = "PK\x03\x04";

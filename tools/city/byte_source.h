@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/error.h"
+
 namespace nightcity::city {
 
 class ByteSource {
@@ -47,12 +49,24 @@ struct FileContents {
   std::vector<std::string> packed_entries;
 };
 
+/// Thrown for an archive that is sound, but holds no entry of the endings that were asked for.
+class NothingInside : public Error {
+ public:
+  NothingInside(std::string_view file, const std::string& what)
+      : Error(file, "the archive " + what), what_(what) {}
+  /// Returns what it holds instead: "holds no .gml, but a.tif: heights belong in [terrain] dem".
+  const std::string& holds() const { return what_; }
+
+ private:
+  std::string what_;
+};
+
 /// Returns what `file` holds. Its documents are one for a plain or gzipped file, and of a zip
 /// archive one for each entry whose name ends with one of `endings` (in lower case: ".gml"), also
-/// where the entry is a gzip stream itself (".gml.gz"), which is then read under its name without
-/// ".gz". Throws
-/// Error when the file is missing, empty, unreadable, a folder, or an archive without such entries.
-/// The reader of a document finds out whether it is of the kind that its name says.
+/// where the entry lies in an archive in the archive, or is a gzip stream itself (".gml.gz"), which
+/// is then read under its name without ".gz". Throws Error when the file is missing, empty,
+/// unreadable or a folder; NothingInside for an archive without such entries. The reader of a
+/// document finds out whether it is of the kind that its name says.
 FileContents list_contents(const std::filesystem::path& file,
                            std::span<const std::string_view> endings);
 

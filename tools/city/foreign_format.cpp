@@ -241,6 +241,10 @@ std::string explain(std::string_view bytes, std::string_view name, bool wants_mo
   const std::string_view written = find_root_name(text);
   if (const auto xml = find_xml(text, to_lower(written))) return to_words(*xml);
   if (written.empty()) return {};
+  if (text.find("citygml") != text.npos)
+    return "is one <" + std::string(written) +
+           "> without the <CityModel> round it: ask the server for all features (GetFeature), or "
+           "write <CityModel><cityObjectMember> before it";
   return "is XML of another kind: its root element is <" + std::string(written) + ">";
 }
 
@@ -276,6 +280,7 @@ std::string_view find_root_name(std::string_view start) {
 }
 
 std::string explain_foreign(std::string_view bytes, std::string_view name) {
+  if (name.ends_with(".toml")) return "is named as a recipe: `nightbake run` reads it";
   if (std::string found = explain(bytes, name, true); !found.empty()) return found;
   for (const auto& [endings, words] : by_name)
     for (const std::string_view ending : endings)

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "tools/city/end_date.h"
 #include "tools/city/extrude.h"
 #include "tools/city/text_encoding.h"
 
@@ -197,12 +198,22 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
     ++report.objects;
     const bool lod0_alone = std::all_of(places.begin(), places.end(),
                                         [](const RawPolygons::Place& p) { return p.lod == 0; });
+    if (lod0_alone && object.type == ObjectType::building && !find_block_height_m(object))
+      object.measured_height_m = raw.named_heights.find_height_m(options.height_unit_m);
     if (lod0_alone && is_flat_building(object))
       ++(extrude_flat_building(object, options.height_unit_m) ? report.extruded : report.flat);
   }
   make_texts_valid(object);
   report.polygons += object.polygons.size();
   return object;
+}
+
+void count_left_out(const RawObject& raw, SkipCounter& skipped) {
+  skipped.add(raw.left_out);
+  if (raw.polygons.empty()) return;
+  skipped.add(raw.left_out == ended_object ? "polygon: of an object that ended"
+                                           : "polygon: of an object that is not there",
+              raw.polygons.size());
 }
 
 }  // namespace nightcity::city

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "tools/city/city_reader.h"
+#include "tools/city/named_heights.h"
+#include "tools/city/skip_counter.h"
 
 namespace nightcity::city {
 
@@ -63,10 +65,13 @@ struct RawObject {
   CityObject object;  // without polygons
   std::vector<RawSpace> spaces{1};
   RawPolygons polygons;
-  bool has_ended = false;  // it was taken out of the model
+  /// Says why it is left out whole, as it is counted (end_date.h); null: it is not.
+  const char* left_out = nullptr;
   /// The height of its roof above its ground by elevations that it states, in the unit of the CRS's
   /// heights. It stands for the measured height where there is none.
   std::optional<double> elevation_span;
+  /// Stand for the measured height of a building that has LoD0 alone and states no other height.
+  NamedHeights named_heights{};
 };
 
 /// Returns the object with the highest LoD up to `options.max_lod` of every space (of a space that
@@ -75,5 +80,8 @@ struct RawObject {
 /// that have LoD0 alone become blocks of their measured height or storeys (extrude.h). Texts become
 /// valid UTF-8.
 CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report);
+
+/// Counts an object that is left out whole, and its polygons.
+void count_left_out(const RawObject& raw, SkipCounter& skipped);
 
 }  // namespace nightcity::city

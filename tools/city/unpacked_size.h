@@ -4,12 +4,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "formats/error.h"
 
 namespace nightcity::city {
+
+/// Returns the size of a file; 0 where it is unknown.
+inline std::uint64_t find_packed_size(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error ? 0 : size;
+}
 
 /// Real city models shrink to a twentieth or thirtieth; deflate can shrink blanks to a
 /// thousandth. `add` throws Error beyond 200 times the packed size and 1 GB.

@@ -158,11 +158,11 @@ const std::unordered_map<std::string_view, P>& properties() {
       {"name", P::name},
       {"description", P::name},
       {"creationDate", P::name},
-      {"terminationDate", P::end_date},
+      {"terminationDate", P::name},
       {"validFrom", P::name},
-      {"validTo", P::end_date},
-      {"dateOfDemolition", P::end_date},
-      {"conditionOfConstruction", P::condition},
+      {"validTo", P::name},
+      {"dateOfDemolition", P::name},
+      {"conditionOfConstruction", P::name},
   };
   return table;
 }

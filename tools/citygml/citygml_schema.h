@@ -49,9 +49,7 @@ enum class PropertyKind : std::uint8_t {
   appearance,
   height,     // CityGML 3's con:height
   elevation,  // con:elevation
-  end_date,   // terminationDate, validTo, dateOfDemolition
-  condition,  // conditionOfConstruction
-  /// gml:name, gml:description, creationDate: metadata that nothing here uses, not worth a count.
+  /// gml:name, gml:description, dates (those of end_date.h included): not worth a count.
   name,
 };
 PropertyKind find_property_kind(std::string_view local);

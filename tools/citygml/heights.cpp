@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/citygml/tag_scanner.h"
 #include "tools/citygml/xlinks.h"
@@ -51,6 +52,28 @@ void read_height(const pugi::xml_node& property, city::CityObject& object) {
         object.measured_height_m = one.measured_height_m;
     }
   }
+}
+
+bool read_generic(const pugi::xml_node& property, city::NamedHeights& heights) {
+  const std::string_view kind = local_name(property.name());
+  std::string_view name = find_attribute(property, "name"), value, unit;
+  bool takes_all = true;
+  for (const pugi::xml_node& part : property.children()) {
+    if (part.type() != pugi::node_element) continue;
+    const std::string_view here = local_name(part.name());
+    if (here == "name") name = part.child_value();
+    if (here == "value") {
+      value = part.child_value();
+      unit = find_attribute(part, "uom");
+    } else if (here.ends_with("Attribute")) {
+      takes_all = read_generic(part, heights) && takes_all;
+    }
+  }
+  if (kind == "genericAttributeSet" || kind == "genericAttribute") return takes_all;
+  const std::string lower = to_lower(name);
+  if (!kind.ends_with("Attribute") || !city::NamedHeights::knows(lower)) return false;
+  heights.take(lower, value, unit);
+  return true;
 }
 
 void Elevations::read(const pugi::xml_node& property) {

@@ -7,6 +7,11 @@
 
 namespace nightcity::citygml {
 
+/// Takes a generic attribute, or those of a set, of which some tell heights (CityGML 1 and 2:
+/// gen:doubleAttribute and others; 3: core:genericAttribute). Returns whether it has taken all of
+/// them.
+bool read_generic(const pugi::xml_node& property, city::NamedHeights& heights);
+
 /// Reads con:height, which holds <con:Height> elements. The greatest value is kept.
 void read_height(const pugi::xml_node& property, city::CityObject& object);
 

@@ -41,6 +41,14 @@ bool is_member(std::string_view local) {
          local == "cityObjectMember";
 }
 
+// Returns why an object is not there by what a property says; null: it says no such thing.
+const char* find_reason_to_leave_out(const FeatureClass& what, std::string_view name,
+                                     const pugi::xml_node& property) {
+  const std::string lower = what.kind == ClassKind::top ? to_lower(name) : std::string();
+  if (!city::may_say_when(what.object, lower)) return nullptr;
+  return city::find_reason_to_leave_out(what.object, lower, property.child_value(), today());
+}
+
 bool is_own_space(ClassKind kind) {
   return kind == ClassKind::top || kind == ClassKind::part;
 }
@@ -49,7 +57,7 @@ bool is_own_space(ClassKind kind) {
 
 MemberParser::MemberParser(const pugi::xml_node& member, std::size_t line,
                            const GeometryLibrary& library, const Materials& file_materials)
-    : member_(member), line_(line), geometry_(member, library, skipped_) {
+    : member_(member), line_(line), library_(library), geometry_(member, library, skipped_) {
   geometry_.set_file_materials(&file_materials);
   geometry_.local_materials().set_pictures(library.pictures);
 }
@@ -62,7 +70,16 @@ std::vector<city::RawObject> MemberParser::parse() {
   }
   for (const pugi::xml_node& child : member_.children())
     if (child.type() == pugi::node_element) read_top(child, out);
+  if (out.empty()) count_link(find_attribute(member_, "href"));
   return out;
+}
+
+// An object that is a member elsewhere in this file, or in another file of the city, is read there.
+void MemberParser::count_link(std::string_view href) {
+  if (href.empty() || library_.is_in_document(href) || !library_.name_elsewhere(href).empty())
+    return;
+  skipped_.add("xlink: to an object in another file (" +
+               std::string(city::trim(href.substr(0, href.find('#')))) + ")");
 }
 
 void MemberParser::skip(const pugi::xml_node& element) {
@@ -112,9 +129,8 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
   GeometryContext context;
   context.srs_name = srs_name_;
   read_feature(element, what, context, raw);
-  if (!raw.has_ended) return;
-  skipped_.add(city::ended_object);
-  if (!raw.polygons.empty()) skipped_.add("polygon: of an object that ended", raw.polygons.size());
+  if (!raw.left_out) return;
+  city::count_left_out(raw, skipped_);
   out.pop_back();
 }
 
@@ -133,6 +149,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     if (property.type() != pugi::node_element) continue;
     const std::string_view name = local_name(property.name());
     if (said.plant && read_plant(name, property, *said.plant)) continue;
+    if (!raw.left_out) raw.left_out = find_reason_to_leave_out(what, name, property);
     switch (find_property_kind(name)) {
       case PropertyKind::attribute:
         if (is_own_space(what.kind))
@@ -166,18 +183,10 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
       case PropertyKind::elevation:
         elevations.read(property);
         break;
-      case PropertyKind::end_date:
-        raw.has_ended = raw.has_ended || (what.kind == ClassKind::top &&
-                                          city::is_past(property.child_value(), today()));
-        break;
-      case PropertyKind::condition:
-        raw.has_ended = raw.has_ended || (what.kind == ClassKind::top &&
-                                          city::is_nothing_built(property.child_value()));
-        break;
       case PropertyKind::name:
         break;
       case PropertyKind::skip:
-        skip(property);
+        if (!is_own_space(what.kind) || !read_generic(property, raw.named_heights)) skip(property);
         break;
     }
   }

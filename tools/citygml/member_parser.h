@@ -41,9 +41,11 @@ class MemberParser {
   void read_child(const pugi::xml_node& element, std::string_view property,
                   const GeometryContext& context, city::RawObject& raw);
   void skip(const pugi::xml_node& element);
+  void count_link(std::string_view href);
 
   pugi::xml_node member_;
   std::size_t line_;
+  const GeometryLibrary& library_;
   city::SkipCounter skipped_;
   GeometryWalk geometry_;
   SrsName srs_name_{};

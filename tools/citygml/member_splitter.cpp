@@ -171,6 +171,20 @@ MemberSplitter::Limits limits_of(const city::ReadOptions& options) {
   return limits;
 }
 
+// Behind the root element XML allows comments alone. Another element is another document, whose
+// objects would be lost.
+void MemberSplitter::refuse_second_document() {
+  for (;;) {
+    while (!scanner_.sees_markup())
+      if (!scanner_.drop_text()) return;
+    const Tag tag = scanner_.next();
+    if (tag.kind == Tag::Kind::end_of_file) return;
+    if (tag.kind != Tag::Kind::close && local_name(tag.name) == local_name(head_.root_name))
+      scanner_.fail(tag.begin, "a second <" + head_.root_name +
+                                   "> in one file: cut it in two there, and name both");
+  }
+}
+
 bool MemberSplitter::next(MemberBatch& batch) {
   batch.members.clear();
   batch.first_member = delivered_;
@@ -191,6 +205,7 @@ bool MemberSplitter::next(MemberBatch& batch) {
     pass_on_piece(batch);
     return true;
   }
+  refuse_second_document();
   return false;
 }
 

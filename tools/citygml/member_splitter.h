@@ -68,6 +68,7 @@ class MemberSplitter {
   using Range = std::pair<std::size_t, std::size_t>;
 
   void read_head();
+  void refuse_second_document();
   bool scan_tag(MemberBatch& batch);
   bool passes_text(const MemberBatch& batch);
   void close_tag(const Tag& tag);

@@ -15,6 +15,7 @@
 #include "tools/citygml/picture_colours.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/rings.h"
+#include "tools/citygml/server_answer.h"
 #include "tools/citygml/shared_geometry.h"
 #include "tools/citygml/srs_scope.h"
 #include "tools/in_order.h"
@@ -85,6 +86,8 @@ class StreamReader {
 
  private:
   city::ReadReport&& finish() {
+    if (!missing_.empty() && (!options_.piece || options_.piece->is_first()))
+      report_.warnings.push_back(document_.name + ": " + missing_);
     if (pictures_)
       report_.warnings.push_back(
           document_.name + ": " + std::to_string(pictures_->pictures()) + " pictures (" +
@@ -187,6 +190,10 @@ class StreamReader {
       if (!is_object_member(member)) {
         if (member.name != "boundedBy" && member.name != "appearanceMember")
           ++out.report.skipped[member.name];
+        if (is_server_error(member.name))
+          out.report.warnings.push_back(document_.name + ":" + std::to_string(member.line) +
+                                        ": incomplete: the server broke its answer off here (<" +
+                                        member.name + ">): ask for a smaller area");
         continue;
       }
       pugi::xml_document xml;
@@ -241,6 +248,7 @@ class StreamReader {
     const auto source = document_.open();
     MemberSplitter splitter(*source, document_.name, limits_of(options_));
     report_.version = splitter.head().version;
+    missing_ = find_what_is_missing(splitter.head());
     const DocumentHead& head = splitter.head();
     MemberBatch whole;
     std::size_t at = 0;  // the next of its members, where they are passed on one by one
@@ -262,7 +270,7 @@ class StreamReader {
   const city::ReadOptions& options_;
   const city::ObjectStage& stage_;
   city::ReadReport report_;
-  std::string srs_name_, document_srs_name_;
+  std::string srs_name_, document_srs_name_, missing_;
   bool reads_textures_ = false;
   std::optional<PictureColours> pictures_;
   Materials file_materials_;

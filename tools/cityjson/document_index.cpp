@@ -159,6 +159,16 @@ std::string_view without_quotes(std::string_view value) {
                                                    : std::string_view();
 }
 
+// Returns the first text of an array, or the text that a value is: CityJSON 1.0's drafts knew one
+// "parent".
+std::string_view find_first_text(std::string_view value) {
+  const std::size_t begin = value.find('"');
+  std::size_t end = begin;
+  do end = end == value.npos ? end : value.find('"', end + 1);
+  while (end != value.npos && value[end - 1] == '\\');
+  return end == value.npos ? std::string_view() : value.substr(begin + 1, end - begin - 1);
+}
+
 }  // namespace
 
 std::size_t line_of(std::string_view text, std::size_t place) {
@@ -180,6 +190,7 @@ DocumentIndex index_document(std::string_view text, const std::string& name) {
         const std::string_view value = scanner.scan_value();
         if (key == "type") object.type = without_quotes(value);
         if (key == "children") object.children = value;
+        if (key == "parents" || key == "parent") object.parent = find_first_text(value);
       });
     }
     object.value = text.substr(begin, scanner.place() - begin);

@@ -14,6 +14,7 @@ struct ObjectText {
   std::string_view id;        // as it is in the text, escapes too
   std::string_view type;      // the same, without quotes; "" = none
   std::string_view children;  // an array of ids; "" = none
+  std::string_view parent;    // the first of its parents, as id is
   std::string_view value;     // the whole object
 };
 

@@ -191,6 +191,7 @@ class DocumentReader {
       ObjectNode& node = nodes_.emplace_back();
       node.id = unescape(object.id);
       node.what = find_object_class(object.type);
+      node.parent = unescape(object.parent);
       if (object.children.empty()) continue;
       dom::array children;
       const std::vector<dom::element> parsed = parser.parse(std::span(&object.children, 1));

@@ -25,7 +25,8 @@ bool is_blank(std::string_view text) {
 // The first line of a sequence is a value of its own, and more follows.
 bool begins_sequence(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  const std::string_view start = text.substr(begin, max_first_line);
+  std::string_view start = text.substr(begin, max_first_line);
+  if (start.starts_with(record_separator)) start.remove_prefix(1);
   const std::size_t end = start.find('\n');
   return end != std::string_view::npos && !is_blank(start.substr(end)) &&
          ValueEnd().find(start.substr(0, end)) != std::string_view::npos;

@@ -12,6 +12,9 @@
 
 namespace nightcity::cityjson {
 
+/// Stands before each value of a sequence by RFC 7464.
+inline constexpr char record_separator = '\x1E';
+
 /// A document as a whole: mapped where it lies plain in a file, else held in memory.
 class DocumentText {
  public:

@@ -1,9 +1,10 @@
 #include "tools/cityjson/feature_reader.h"
 
+#include <tuple>
 #include <utility>
 
 #include "formats/error.h"
-#include "tools/city/end_date.h"
+#include "tools/city/merge_parts.h"
 #include "tools/cityjson/object_groups.h"
 
 namespace nightcity::cityjson {
@@ -17,17 +18,20 @@ std::vector<std::string_view> list_children(const dom::object& object) {
   return ids;
 }
 
+// CityJSON 1.0's drafts knew one "parent".
+std::string_view find_parent(const dom::object& object) {
+  std::string_view id;
+  if (const auto parents = find_array(object, "parents"); parents && parents->size() > 0)
+    std::ignore = parents->at(0).get(id);
+  return id.empty() ? find_text(object, "parent") : id;
+}
+
 }  // namespace
 
 void Batch::read(std::span<const GroupMember> group, const GeometrySources& sources,
                  const city::ReadOptions& options) {
   std::optional<city::RawObject> raw = read_object(group, sources, skipped);
-  if (raw && raw->has_ended) {
-    skipped.add(city::ended_object);
-    if (!raw->polygons.empty())
-      skipped.add("polygon: of an object that ended", raw->polygons.size());
-    return;
-  }
+  if (raw && raw->left_out) return city::count_left_out(*raw, skipped);
   if (raw) objects.push_back(city::merge_parts(std::move(*raw), options, report));
 }
 
@@ -75,7 +79,8 @@ void read_feature(const dom::element& value, const SharedParts& shared,
       batch.skipped.add("city object that is no object");
       continue;
     }
-    nodes.push_back({id, find_object_class(find_text(object, "type")), list_children(object)});
+    nodes.push_back({id, find_object_class(find_text(object, "type")), list_children(object),
+                     find_parent(object)});
     parsed.push_back(object);
   }
   const ObjectGroups groups = group_objects(nodes, batch.skipped);

@@ -15,6 +15,7 @@ struct ObjectNode {
   std::string_view id;
   ObjectClass what;
   std::vector<std::string_view> children;  // ids
+  std::string_view parent{};               // the first of its parents; "" = none
 };
 
 /// Lists of numbers of objects, one behind the other.
@@ -31,8 +32,9 @@ struct ObjectGroups {
 };
 
 /// Groups objects with their children and the children's children, each group led by its own
-/// 1st-level object, in the order of the file. A child belongs to the first that names it;
-/// 2nd-level objects that none names come last, as groups of their own. Children that are not among
+/// 1st-level object, in the order of the file. A child belongs to the first that names it,
+/// or, where none does, to the parent that it names itself. Other 2nd-level objects come last, as
+/// groups of their own. Children that are not among
 /// `nodes` are counted.
 ObjectGroups group_objects(std::span<const ObjectNode> nodes, city::SkipCounter& skipped);
 

@@ -41,24 +41,29 @@ bool read_plant(std::string_view name, const dom::element& value, city::Plant& p
   return city::set_plant_attribute(plant, to_lower(name), measure.value, measure.unit);
 }
 
-// Returns whether they say that the object has ended.
-bool read_attributes(const dom::object& object, city::CityObject& said,
-                     city::SkipCounter& skipped) {
+// Returns why the object is not there by what they say; null: it is.
+const char* read_attributes(const dom::object& object, city::ObjectType type,
+                            city::CityObject& said, city::NamedHeights& heights,
+                            city::SkipCounter& skipped) {
   const auto attributes = find_object(object, "attributes");
-  if (!attributes) return false;
-  bool has_ended = false;
+  if (!attributes) return nullptr;
+  const auto day = today();
+  const char* left_out = nullptr;
   std::size_t others = 0;
   for (const auto& [name, value] : *attributes) {
     const std::string_view field = find_attribute_field(name);
     dom::array values;
     if (said.plant && read_plant(name, value, *said.plant)) continue;
     const bool repeats = field == "function" || field == "usage" || field == "class";
-    if (city::is_end_date(to_lower(name))) {
-      has_ended = has_ended || city::is_past(to_text(value), today());
-    } else if (city::is_condition(to_lower(name))) {
-      has_ended = has_ended || city::is_nothing_built(to_text(value));
+    const std::string lower = to_lower(name);
+    const bool says_when = city::may_say_when(type, lower);
+    if (says_when && !left_out)
+      left_out = city::find_reason_to_leave_out(type, lower, to_list_text(value), day);
+    if (city::NamedHeights::knows(lower) && field.empty()) {
+      const Measure measure = to_measure(value);
+      heights.take(lower, measure.value, measure.unit);
     } else if (field.empty()) {
-      others += !value.is_null();
+      others += !says_when && !value.is_null();
     } else if (repeats && value.get(values) == simdjson::SUCCESS) {
       for (const dom::element& one : values) city::set_attribute(said, field, to_text(one));
     } else {
@@ -67,7 +72,7 @@ bool read_attributes(const dom::object& object, city::CityObject& said,
     }
   }
   if (others > 0) skipped.add("attribute", others);
-  return has_ended;
+  return left_out;
 }
 
 // Addresses have free keys since CityJSON 1.1; these are those of the specification's examples.
@@ -104,8 +109,9 @@ void read_member(const GroupMember& member, std::uint32_t space, GeometryReader&
   if (member.what.role == ObjectRole::top || member.what.role == ObjectRole::part) {
     city::CityObject said;
     if (member.what.type == city::ObjectType::vegetation) said.plant.emplace();
-    const bool has_ended = read_attributes(member.object, said, skipped);
-    if (space == 0) raw.has_ended = has_ended;
+    const char* left_out =
+        read_attributes(member.object, member.what.type, said, raw.named_heights, skipped);
+    if (space == 0) raw.left_out = left_out;
     if (const auto address = find_member(member.object, "address"))
       said.address = read_address(*address);
     city::adopt_attributes(raw.object, said);

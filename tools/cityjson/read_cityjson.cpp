@@ -37,6 +37,7 @@ std::vector<city::Document> list_cityjson(const std::filesystem::path& file,
 
 bool begins_as_cityjson(std::string_view start) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
+  if (start.starts_with(record_separator)) start.remove_prefix(1);
   if (!skip_blanks(start).starts_with('{')) return false;
   // Members come in any order, but of a member of that name no other format knows.
   if (start.find("\"CityObjects\"") != std::string_view::npos) return true;

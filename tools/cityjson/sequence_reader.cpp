@@ -20,7 +20,8 @@ void for_each_line(const LineReader::Lines& lines, const Use& use) {
   std::size_t number = lines.first_line;
   for (std::size_t begin = 0; begin < all.size(); ++number) {
     const std::size_t end = std::min(all.find('\n', begin), all.size());
-    const std::string_view line = all.substr(begin, end - begin);
+    std::string_view line = all.substr(begin, end - begin);
+    if (line.starts_with(record_separator)) line.remove_prefix(1);
     if (line.find_first_not_of(" \t\r") != std::string_view::npos && !use(line, number)) return;
     begin = end + 1;
   }

@@ -151,7 +151,7 @@ void SharedParts::read(std::string_view key, const dom::element& value, const Wh
       throw Error(where(),
                   "is CityJSON " + version +
                       ", and 1.0 to 2.0 are read: turn it into one of these (cjio upgrade)");
-  } else if (key == "transform") {
+  } else if (key == "transform" && !value.is_null()) {
     transform = read_transform(value, where);
     has_transform = true;
   } else if (key == "metadata" && is_object) {
@@ -162,6 +162,8 @@ void SharedParts::read(std::string_view key, const dom::element& value, const Wh
       else
         srs_name = to_srs_name(to_text(*said));  // also of 25832, a number
       if (srs_name.empty()) skipped.add("referenceSystem that is no text");
+    } else if (const auto crs = find_object(object, "crs")) {  // before 0.9, and still written
+      if (const auto code = find_member(*crs, "epsg")) srs_name = "EPSG:" + to_text(*code);
     }
   } else if (key == "appearance" && is_object) {
     materials.read(object);

@@ -15,6 +15,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "tools/osm/map_file.h"
 #include "tools/osm/packed_map.h"
 #include "tools/osm/whole_tags.h"
 
@@ -145,8 +146,10 @@ std::size_t write_elevations(const fs::path& input, const fs::path& output,
   const std::string format = format_of(output);
   if (format.empty())
     throw Error(output.string(), "is named like no OSM file: .osm, .osm.pbf, .osm.gz, .osm.bz2");
-  if (format == "osm" && is_text(input)) return edit_xml(input, output, heights);
-  return copy_packed(input, output, format, heights);
+  return osm::read_map_file(input, [&](const fs::path& plain) {
+    if (format == "osm" && is_text(plain)) return edit_xml(plain, output, heights);
+    return copy_packed(plain, output, format, heights);
+  });
 }
 
 }  // namespace nightcity::elevation

@@ -17,6 +17,7 @@
 #include "tools/lights/luminaire.h"
 #include "tools/map_buildings/read_map_buildings.h"
 #include "tools/obj/read_obj.h"
+#include "tools/osm/map_file.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/read_osm.h"
 
@@ -142,21 +143,31 @@ std::string name_of(const city::Document& document) {
 
 }  // namespace
 
+city::FileContents list_readable(const std::filesystem::path& path) {
+  std::vector<std::string_view> endings = city_endings();
+  endings.insert(endings.end(), osm::map_endings.begin(), osm::map_endings.end());
+  return city::list_contents(path, endings);
+}
+
 const FileFormat& find_format(const std::filesystem::path& path) {
-  return find_format(city::list_documents(path, city_endings()));
+  return find_format(list_readable(path).documents);
 }
 
 const FileFormat& find_format(const std::vector<city::Document>& documents) {
   std::string why, where;
+  const FileFormat* other = nullptr;
   for (const city::Document& document : documents) {
     const std::string bytes = city::read_start(document, start_bytes), name = name_of(document);
-    if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
-    if (!why.empty()) continue;
+    const FileFormat* format = recognise({bytes, name, document.packed});
+    if (format && format->kind == FileKind::city) return *format;
+    if (!other) other = format;
+    if (other || !why.empty()) continue;
     if (where.empty()) where = document.name;
     why = city::explain_foreign(bytes, name);
     if (why.empty()) why = osm::describe_unread_osm(bytes);
     if (!why.empty()) where = document.name;
   }
+  if (other) return *other;
   throw Error(where, why.empty() ? "is of no format that is read here: " + list_names() : why);
 }
 
@@ -165,7 +176,12 @@ const FileFormat* find_format(const city::Document& document) {
 }
 
 std::string find_reason_to_pass_over(const std::filesystem::path& path) {
-  const auto documents = city::list_documents(path, city_endings());
+  std::vector<city::Document> documents;
+  try {
+    documents = list_readable(path).documents;
+  } catch (const city::NothingInside& archive) {
+    return archive.holds();
+  }
   if (documents.size() != 1) return {};
   const city::Document& document = documents.front();
   const std::string bytes = city::read_start(document, start_bytes), name = name_of(document);

@@ -39,10 +39,15 @@ struct FileFormat {
 /// All formats, in the order in which they are tried: those with a sure mark first.
 std::span<const FileFormat> file_formats();
 
+/// Returns the documents of a file that may be city models or maps. Throws Error as
+/// city::list_contents.
+city::FileContents list_readable(const std::filesystem::path& path);
+
 /// Returns the format of the file at `path` by its first bytes; a name decides only where these say
 /// nothing (.ies, .ldt). Throws Error: missing, empty, a folder, broken gzip or zip,
 /// or of no format in the table; the message then says what it is instead, and the remedy
-/// (tools/city/foreign_format.h). Of an archive the first entry of a format in the table decides.
+/// (tools/city/foreign_format.h). Of an archive the first city model decides, or else the first
+/// entry of another format.
 const FileFormat& find_format(const std::filesystem::path& path);
 /// The same of a file's documents, where they have been listed.
 const FileFormat& find_format(const std::vector<city::Document>& documents);

@@ -6,7 +6,6 @@
 
 #include "formats/error.h"
 #include "tools/city/byte_source.h"
-#include "tools/inputs/city_files.h"
 #include "tools/inputs/file_format.h"
 
 namespace nightcity::inputs {
@@ -56,7 +55,7 @@ city::ReadReport read_city(const std::filesystem::path& file, const city::ReadOp
 city::ReadReport read_city_staged(const std::filesystem::path& file,
                                   const city::ReadOptions& options,
                                   const city::ObjectStage& stage) {
-  const city::FileContents contents = city::list_contents(file, city_endings());
+  const city::FileContents contents = list_readable(file);
   const FileFormat& format = find_format(contents.documents);
   city::ReadReport report = find_reader(file, format).read(file, options, stage);
   if (!options.piece) tell_passed_over(file, contents, format, report);

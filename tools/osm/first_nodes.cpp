@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tools/osm/map_file.h"
 #include "tools/osm/osm_document.h"
 #include "tools/osm/packed_map.h"
 #include "tools/osm/read_guarded.h"
@@ -20,9 +21,7 @@ void take_places(const pugi::xml_node& parent, const char* name, std::vector<glm
   }
 }
 
-}  // namespace
-
-std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std::size_t count) {
+std::vector<glm::dvec2> read_nodes(const std::filesystem::path& file, std::size_t count) {
   return read_guarded(file, [&] {
     std::vector<glm::dvec2> places;
     if (const auto document = find_osm_document(file)) {
@@ -48,6 +47,13 @@ std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std:
     reader.close();
     return places;
   });
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std::size_t count) {
+  return read_map_file(
+      file, [&](const std::filesystem::path& plain) { return read_nodes(plain, count); });
 }
 
 }  // namespace nightcity::osm

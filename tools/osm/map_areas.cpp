@@ -14,6 +14,7 @@
 #include "tools/osm/area_tags.h"
 #include "tools/osm/arranged_map.h"
 #include "tools/osm/bounded_assembly.h"
+#include "tools/osm/map_file.h"
 #include "tools/osm/osm_document.h"
 #include "tools/osm/outer_ways.h"
 #include "tools/osm/packed_map.h"
@@ -89,12 +90,14 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
 
 MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
                         std::size_t max_nodes) {
-  return read_guarded(file, [&] {
-    try {
-      return read_areas(file, selection, max_nodes, Order::usual);
-    } catch (const osmium::out_of_order_error&) {
-      return read_areas(file, selection, max_nodes, Order::any);
-    }
+  return read_map_file(file, [&](const std::filesystem::path& plain) {
+    return read_guarded(plain, [&] {
+      try {
+        return read_areas(plain, selection, max_nodes, Order::usual);
+      } catch (const osmium::out_of_order_error&) {
+        return read_areas(plain, selection, max_nodes, Order::any);
+      }
+    });
   });
 }
 

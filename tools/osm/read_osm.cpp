@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/osm/map_file.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/osm_parsers.h"
 
@@ -51,7 +52,8 @@ bool begins_as_osm(std::string_view start) {
 
 OsmData read_osm(std::span<const std::filesystem::path> files, std::size_t max_way_nodes) {
   OsmCollector collector(max_way_nodes);
-  for (const std::filesystem::path& file : files) collect(file, collector);
+  for (const std::filesystem::path& file : files)
+    read_map_file(file, [&](const std::filesystem::path& plain) { collect(plain, collector); });
   return std::move(collector).finish();
 }
 

@@ -45,31 +45,6 @@ std::string find_stem(std::string_view name) {
   return to_lower(name.substr(0, name.find('.', folders)));
 }
 
-// A file that GDAL finds, read once from its beginning to its end.
-class VirtualSource : public city::ByteSource {
- public:
-  /// `packed`: the bytes of the archive that it comes from.
-  VirtualSource(const std::string& path, std::string name, std::uint64_t packed)
-      : name_(std::move(name)),
-        unpacked_(name_, packed),
-        file_(VSIFOpenL(path.c_str(), "rb"), VSIFCloseL) {
-    if (!file_) throw Error(name_, "cannot be unpacked: " + gdal::find_reason());
-  }
-  std::size_t read(char* out, std::size_t size) override {
-    CPLErrorReset();
-    const std::size_t got = VSIFReadL(out, 1, size, file_.get());
-    if (got < size && CPLGetLastErrorType() == CE_Failure)
-      throw Error(name_, "cannot be unpacked: " + gdal::find_reason());
-    unpacked_.add(got);
-    return got;
-  }
-
- private:
-  std::string name_;
-  city::UnpackedSize unpacked_;
-  std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> file_;
-};
-
 std::string read_start_as_it_is(const city::Document& document) {
   constexpr std::size_t enough = 512;
   return city::read_next(*document.open_as_it_is(), enough);
@@ -77,10 +52,6 @@ std::string read_start_as_it_is(const city::Document& document) {
 
 bool is_raster_name(const std::string& name) {
   return is_named_as_raster(name) || is_named_as_gsi_grid(name);
-}
-
-bool is_zip(const std::string& name) {
-  return to_lower(name).ends_with(".zip");
 }
 
 }  // namespace
@@ -105,58 +76,20 @@ std::vector<RasterFile> RasterUnpacker::find_rasters(const std::filesystem::path
   return {copy_alone(file, first)};
 }
 
-std::vector<RasterUnpacker::Entry> RasterUnpacker::list_entries(
-    const std::string& path, const city::FileContents& contents) {
-  std::vector<Entry> entries;
-  for (const city::Document& document : contents.documents) {
-    Entry entry{document.name, document.name.substr(path.size() + 1), document.open_as_it_is};
-    if (!is_zip(entry.name)) {
-      entries.push_back(std::move(entry));
-      continue;
-    }
-    for (Entry& inner : list_inner_archive(entry)) entries.push_back(std::move(inner));
-  }
-  return entries;
-}
-
-// GDAL reads such an archive, whose name is ours.
-std::vector<RasterUnpacker::Entry> RasterUnpacker::list_inner_archive(const Entry& archive) {
-  // Its own name might hold signs that mean something to GDAL.
-  const auto source = archive.open();
-  const std::string packed = add(std::to_string(++archives_) + ".zip", archive.name, *source),
-                    root = "/vsizip/{" + packed + "}";
-  VSIStatBufL status;
-  const std::uint64_t size =
-      VSIStatL(packed.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
-  const CPLStringList names(VSIReadDirRecursive(root.c_str()), TRUE);
-  if (names.empty()) throw Error(archive.name, "broken zip archive: damaged or empty");
-  std::vector<Entry> entries;
-  for (int i = 0; i < names.Count(); ++i) {
-    const std::string inside = names[i], path = root + "/" + inside;
-    const std::string name = archive.name + "/" + without_gzip(inside);
-    const bool is_hidden = inside.starts_with("__MACOSX/") || inside.starts_with('.') ||
-                           inside.find("/.") != std::string::npos;
-    if (inside.ends_with('/') || is_zip(inside) || is_hidden) continue;
-    entries.push_back({name, archive.inside + "/" + without_gzip(inside),
-                       [=]() -> std::unique_ptr<city::ByteSource> {
-                         auto source = std::make_unique<VirtualSource>(path, name, size);
-                         if (!is_gzip(inside)) return source;
-                         return city::inflate_stream(std::move(source), name, size);
-                       }});
-  }
-  return entries;
-}
-
 // Texts are heights where nothing else is: beside rasters they are licences and lists of tiles.
 std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
                                                        const city::FileContents& contents) {
-  const std::vector<Entry> entries = list_entries(path, contents);
+  std::vector<Entry> entries;
+  for (const city::Document& document : contents.documents)
+    entries.push_back(
+        {document.name, document.name.substr(path.size() + 1), document.open_as_it_is});
   const auto is_raster = [](const Entry& entry) { return is_raster_name(entry.name); };
   const bool takes_texts = std::none_of(entries.begin(), entries.end(), is_raster);
-  std::vector<const Entry*> rasters, passed_over;
+  std::vector<const Entry*> rasters, passed_over, archives;
   std::set<std::string> stems;
   for (const Entry& entry : entries) {
     const std::string& name = entry.name;
+    if (to_lower(name).ends_with(".zip")) archives.push_back(&entry);
     if (!(takes_texts ? is_named_as_text(name) : is_raster_name(name))) continue;
     (is_about_heights(name) ? passed_over : rasters).push_back(&entry);
     if (!is_about_heights(name)) stems.insert(find_stem(name));
@@ -173,6 +106,11 @@ std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
                  "note: %s: %zu rasters inside were passed over whose names speak of no heights "
                  "(%s): where they are heights, unpack it and name the files\n",
                  path.c_str(), passed_over.size(), first.c_str());
+  if (!archives.empty())
+    std::fprintf(stderr,
+                 "note: %s: %zu archives inside archives in it were passed over (%s): where they "
+                 "hold heights, unpack them\n",
+                 path.c_str(), archives.size(), archives.front()->inside.c_str());
   for (const Entry& entry : entries)
     if (!is_raster(entry) && is_named_as_companion(entry.name) &&
         stems.contains(find_stem(entry.name)))

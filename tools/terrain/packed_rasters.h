@@ -32,8 +32,6 @@ class RasterUnpacker {
     std::function<std::unique_ptr<city::ByteSource>()> open;
   };
 
-  std::vector<Entry> list_entries(const std::string& path, const city::FileContents& contents);
-  std::vector<Entry> list_inner_archive(const Entry& archive);
   std::vector<RasterFile> unpack_archive(const std::string& path,
                                          const city::FileContents& contents);
   /// Throws Error where two have one name.
@@ -49,8 +47,7 @@ class RasterUnpacker {
 
   int max_mb_;
   std::uint64_t unpacked_ = 0;
-  std::size_t inputs_ = 0;    // each has a folder of its own
-  std::size_t archives_ = 0;  // in archives
+  std::size_t inputs_ = 0;  // each has a folder of its own
   std::shared_ptr<gdal::ScratchFiles> files_;
 };
 

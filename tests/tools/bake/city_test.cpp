@@ -72,6 +72,19 @@ TEST(City, EveryConsumerGetsEachObjectOnceInTheOrderOfTheFiles) {
   EXPECT_EQ(report.left_out.at("in two files"), 2u);
 }
 
+TEST(City, AnObjectThatStandsTwiceInOneFileIsTakenOnce) {
+  const TempFolder folder;
+  CityInputs inputs = two_files(folder);
+  inputs.files.pop_back();
+  std::string text = test::sample_gml();
+  const std::size_t begin = text.find("<core:cityObjectMember>"),
+                    end = text.find("<core:cityObjectMember>", begin + 1);
+  write_text(inputs.files[0], text.insert(begin, text.substr(begin, end - begin)));
+  const CityReport report = City(inputs, folder / "scratch").read({}, {});
+  EXPECT_EQ(report.objects.at("building"), 2u);
+  EXPECT_EQ(report.left_out.at("twice in one file"), 1u);
+}
+
 TEST(City, AnswersQueriesOfPlacesOnceItsGroundIsBuilt) {
   const TempFolder folder;
   City city(two_files(folder), folder / "scratch");

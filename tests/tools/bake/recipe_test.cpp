@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/error.h"
+#include "support/error_message.h"
 #include "support/temp_folder.h"
 #include "tools/bake/city/city_frames.h"
 
@@ -274,6 +275,21 @@ TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
   const Recipe recipe = read(folder, "# " + dots + "\n[city]\nfiles = ['" + dots + "', \"\"\"" +
                                          dots + ".\"\"\"]\n[origin]\nheight = 1.5\n");
   EXPECT_EQ(recipe.city.files.size(), 2u);
+}
+
+TEST(Recipe, ACityOrAMapInItsPlaceIsNamed) {
+  const test::TempFolder folder;
+  const auto why = [&](const char* name, const std::string& text) {
+    test::write_text(folder / name, text);
+    return test::message_of([&] { read_recipe(folder / name); });
+  };
+  EXPECT_NE(why("a.osm", "<osm version='0.6'/>").find("is OSM, not a recipe: `nightbake new"),
+            std::string::npos);
+  EXPECT_NE(why("a.json", "{\"type\":\"CityJSON\"}").find("is CityJSON, not a recipe"),
+            std::string::npos);
+  EXPECT_NE(test::message_of([&] { read_recipe(folder.path()); }).find("is a folder, not a recipe"),
+            std::string::npos);
+  EXPECT_EQ(why("recipe.txt", "[osm]\nfiles = ['a.osm']\n"), "") << "a recipe may have any name";
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Features of the stream reader alone: links across the file, every version, implicit geometry,
 // materials, bounded memory.
 #include <gtest/gtest.h>
-#include <zip.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "support/pack_zip.h"
 #include "tests/tools/citygml/read_file.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
@@ -39,15 +39,6 @@ void pack_gzip(const std::filesystem::path& path, const std::string& text) {
   const gzFile out = gzopen(path.c_str(), "wb");
   gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
   gzclose(out);
-}
-
-void pack_zip(const std::filesystem::path& path,
-              const std::vector<std::pair<const char*, std::string>>& entries) {
-  std::filesystem::remove(path);
-  zip_t* zip = zip_open(path.c_str(), ZIP_CREATE, nullptr);
-  for (const auto& [name, text] : entries)
-    zip_file_add(zip, name, zip_source_buffer(zip, text.data(), text.size(), 0), 0);
-  ASSERT_EQ(zip_close(zip), 0);
 }
 
 glm::dvec3 area(const city::Ring& ring) {

@@ -130,9 +130,10 @@ TEST(FileFormat, WhatAnArchiveHoldsIsSaidOfItsEntry) {
                     text = reason_for(zipped("../b.gml", "hello"), ".zip");
   EXPECT_NE(other.find("/a/b.gml: is XML of another kind"), std::string::npos) << other;
   EXPECT_NE(text.find("/../b.gml: is of no format"), std::string::npos) << text;
-  const std::string map = reason_for(zipped("m/berlin.osm", "<osm version='0.6'/>"), ".zip");
-  EXPECT_NE(map.find(", but m/berlin.osm: unpack it and name what is inside"), std::string::npos)
-      << map;
+  EXPECT_EQ(name_of_format(zipped("m/berlin.osm", "<osm version='0.6'/>"), ".zip"), "OSM");
+  const std::string table = reason_for(zipped("m/berlin.dbf", "x"), ".zip");
+  EXPECT_NE(table.find(", but m/berlin.dbf: unpack it and name what is inside"), std::string::npos)
+      << table;
 }
 
 TEST(FileFormat, HiddenEntriesOfAnArchiveAreNoCities) {
@@ -157,8 +158,10 @@ TEST(FileFormat, HiddenEntriesOfAnArchiveAreNoCities) {
             std::string::npos);
   EXPECT_NE(report.warnings[1].find("1 city models of other formats than CityGML"),
             std::string::npos);
-  const std::string nested = reason_for(zipped("tiles/inner.zip", archive), ".zip");
-  EXPECT_NE(nested.find("another packed file (tiles/inner.zip)"), std::string::npos) << nested;
+  const std::string nested = zipped("tiles/inner.zip", archive);
+  EXPECT_EQ(name_of_format(nested, ".zip"), "CityGML");
+  const std::string deep = reason_for(zipped("deep.zip", nested), ".zip");
+  EXPECT_NE(deep.find("another packed file (deep.zip/tiles/inner.zip)"), std::string::npos) << deep;
 }
 
 TEST(FileFormat, BrokenStreamsInArchivesAreNamed) {

@@ -1,7 +1,6 @@
 // Tables of lamps in archives and gzip streams.
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
-#include <zip.h>
 #include <zlib.h>
 
 #include <map>
@@ -10,6 +9,7 @@
 
 #include "formats/error.h"
 #include "support/error_message.h"
+#include "support/pack_zip.h"
 #include "support/temp_folder.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/look_at_table.h"
@@ -25,10 +25,7 @@ using test::write_text;
 using Entries = std::map<std::string, std::string>;
 
 void pack_zip(const std::filesystem::path& path, const Entries& entries) {
-  zip_t* zip = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
-  for (const auto& [name, bytes] : entries)
-    zip_file_add(zip, name.c_str(), zip_source_buffer(zip, bytes.data(), bytes.size(), 0), 0);
-  ASSERT_EQ(zip_close(zip), 0);
+  test::pack_zip(path, {entries.begin(), entries.end()});
 }
 
 void pack_gzip(const std::filesystem::path& path, const std::string& bytes) {

@@ -3,7 +3,6 @@
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
-#include <zip.h>
 #include <zlib.h>
 
 #include <map>
@@ -13,20 +12,15 @@
 
 #include "formats/error.h"
 #include "support/error_message.h"
+#include "support/pack_zip.h"
 #include "support/temp_folder.h"
 #include "tools/terrain/open_models.h"
 #include "tools/terrain/raster_names.h"
 
 namespace nightcity::terrain {
 
-using Entries = std::map<std::string, std::string>;
-
-inline void pack_zip(const std::filesystem::path& path, const Entries& entries) {
-  zip_t* zip = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
-  for (const auto& [name, bytes] : entries)
-    zip_file_add(zip, name.c_str(), zip_source_buffer(zip, bytes.data(), bytes.size(), 0), 0);
-  ASSERT_EQ(zip_close(zip), 0);
-}
+using Entries = test::ZipFiles;
+using test::pack_zip;
 
 inline void pack_gzip(const std::filesystem::path& path, const std::string& bytes) {
   const gzFile file = gzopen(path.c_str(), "wb");

@@ -95,9 +95,10 @@ void ObjectFeed::take(Batch::Item&& item) {
   // A piece after one that was left out is not a further one.
   const bool continues = object.continues && object.id == last_id_;
   const char* left_out = find_reason(item.ready.unusable);
-  if (!left_out && !continues && was_seen_before(item.ready.identity)) {
+  const char* repeat = left_out || continues ? nullptr : find_repeat(item.ready);
+  if (repeat) {
     last_id_.clear();
-    left_out = "in two files";
+    left_out = repeat;
   } else {
     report_.mesh.merge(item.ready.report);
   }
@@ -110,10 +111,14 @@ void ObjectFeed::take(Batch::Item&& item) {
   if (!item.ready.prepared->mesh.triangles.empty()) last_id_ = object.id;
 }
 
-bool ObjectFeed::was_seen_before(std::uint64_t identity) {
-  if (identity == 0) return false;
-  const auto [found, is_new] = seen_.try_emplace(identity, file_);
-  return !is_new && found->second != file_;
+// Neighbouring files may share objects, in other levels of detail, too. In one file two objects may
+// have one id and a corner in common, and still be two.
+const char* ObjectFeed::find_repeat(const ReadyObject& ready) {
+  if (ready.identity == 0) return nullptr;
+  const auto [found, is_new] = seen_.try_emplace(ready.identity, Seen{file_, ready.contents});
+  if (is_new) return nullptr;
+  if (found->second.file != file_) return "in two files";
+  return found->second.contents == ready.contents ? "twice in one file" : nullptr;
 }
 
 }  // namespace nightcity::bake

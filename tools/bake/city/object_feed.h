@@ -41,8 +41,8 @@ class ObjectFeed {
   void begin_file(std::size_t file);
   /// Says that they do no more. `read`: the report of reading it.
   void end_file(const city::ReadReport& read);
-  /// Gives the objects their turns, in file order. An object that an earlier file has brought is
-  /// left out and counted.
+  /// Gives the objects their turns, in file order. An object that an earlier file has brought,
+  /// or the same file with the same outlines, is left out and counted.
   void take(Batch&& batch);
 
   /// To be called once, as the last function.
@@ -54,7 +54,8 @@ class ObjectFeed {
   Batch::Item prepare(ReadyObject&& ready) const;
   void learn_crs(city::CityObject&& object, Batch::Item& item);
   void take(Batch::Item&& item);
-  bool was_seen_before(std::uint64_t identity);
+  /// Returns why an object repeats an earlier one, as it is counted; null: it is new.
+  const char* find_repeat(const ReadyObject& ready);
 
   const CityInputs& inputs_;
   CityFrames& frames_;
@@ -65,7 +66,11 @@ class ObjectFeed {
   std::size_t file_ = 0, taken_ = 0;
   std::string stage_, last_id_;
   std::map<std::string, std::size_t> elsewhere_;  // objects of this file, by the CRS they name
-  std::unordered_map<std::uint64_t, std::size_t> seen_;  // identity; file that brought it
+  struct Seen {
+    std::size_t file;  // that brought it
+    std::uint64_t contents;
+  };
+  std::unordered_map<std::uint64_t, Seen> seen_;  // by identity
 };
 
 }  // namespace nightcity::bake

@@ -1,6 +1,7 @@
 #include "tools/bake/city/ready_object.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -28,6 +29,19 @@ std::uint64_t make_identity(const city::CityObject& object) {
       object.polygons.empty() ? object.points : object.polygons.front().exterior;
   if (!ring.empty()) key.append(reinterpret_cast<const char*>(&ring.front()), sizeof(glm::dvec3));
   return checksum(key.data(), key.size());
+}
+
+std::uint64_t sum_outlines(const city::CityObject& object) {
+  std::uint64_t sum = object.polygons.size();
+  const auto add = [&](const city::Ring& ring) {
+    sum = std::rotl(sum, 1) ^ checksum(ring.data(), ring.size() * sizeof(glm::dvec3));
+  };
+  for (const city::Polygon& polygon : object.polygons) {
+    add(polygon.exterior);
+    for (const city::Ring& hole : polygon.interiors) add(hole);
+  }
+  add(object.points);
+  return sum;
 }
 
 void to_city_frame(const std::string* srs_name, std::size_t file, const CityFrames& frames,
@@ -136,7 +150,6 @@ ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& fram
                                 const GroundHeights* heights) {
   return {frames,
           heights,
-          inputs.files.size() > 1,
           inputs.read.polygon,
           inputs.simplify_m,
           inputs.ground.max_error_m,
@@ -157,7 +170,8 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
     result.unknown = std::move(object);
     return result;
   }
-  if (settings.has_identities) result.identity = make_identity(object);
+  result.identity = make_identity(object);
+  if (result.identity != 0) result.contents = sum_outlines(object);
   const auto prepared = std::make_shared<PreparedObject>();
   prepared->lacks_heights = lacks_heights(object);
   to_city_frame(object, file, frames);

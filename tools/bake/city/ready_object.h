@@ -35,6 +35,7 @@ enum class Unusable : std::uint8_t {
 struct ReadyObject {
   std::shared_ptr<PreparedObject> prepared;
   std::uint64_t identity = 0;  // of its id and first vertex; 0 = it has no id
+  std::uint64_t contents = 0;  // of all of its outlines
   Unusable unusable = Unusable::no;
   mesh::MeshReport report;
   std::string elsewhere;  // a CRS that it names beside the file's
@@ -50,7 +51,6 @@ struct ReadySettings {
   /// are; null: objects have heights. Such an object stands on the lowest height below its
   /// outlines, as OpenStreetMap counts the height of a building; one without any is left out.
   const GroundHeights* heights = nullptr;
-  bool has_identities = false;  // neighbouring files may share objects
   city::PolygonLimits polygon{};
   double simplify_m = 0;   // of buildings: CityInputs
   double max_error_m = 0;  // of relief: GroundOptions

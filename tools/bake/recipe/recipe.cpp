@@ -9,6 +9,7 @@
 #include "tools/bake/recipe/key.h"
 #include "tools/bake/recipe/tables.h"
 #include "tools/bake/recipe/value.h"
+#include "tools/inputs/file_format.h"
 
 namespace nightcity::bake {
 namespace {
@@ -34,10 +35,28 @@ void read_tables(const std::string& file, const toml::table& document,
   }
 }
 
+// The words of a TOML parser would not say that a city or a map stands in place of its recipe.
+void refuse_data(const fs::path& path) {
+  if (path.extension() == ".toml") return;
+  std::error_code ignored;
+  std::string what = "a folder";
+  if (!fs::is_directory(path, ignored)) {
+    try {
+      what = inputs::find_format(path).name;
+    } catch (const Error&) {
+      return;  // it may be a recipe of another name; the parser says what is wrong
+    }
+  }
+  throw UsageError(path.string(), "is " + what +
+                                      ", not a recipe: `nightbake new DIR FILES...` writes one "
+                                      "for such files");
+}
+
 }  // namespace
 
 Recipe read_recipe(const fs::path& path) {
   const std::string file = path.string();
+  refuse_data(path);
   const toml::table document = program::read_toml(path);
   Recipe recipe;
   recipe.path = path;

@@ -30,8 +30,9 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
       "osm",
       "The map: street lamps, streets, and outlines that say what a building is used for.",
       {paths_key("files", osm.files, folder, {}, R"(["streets.osm.pbf"])",
-                 "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2. Paths are "
-                 "relative to the recipe. Several extracts are merged; an object that is in "
+                 "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2, or the only map in "
+                 "a .zip. Paths are relative to the recipe. Several extracts are merged; an object "
+                 "that is in "
                  "more than one is taken in its newest version."),
        flag_key("buildings", osm.buildings,
                 "Without `[city] files`, the map's buildings are the city model: `building`, "

@@ -1,0 +1,98 @@
+#include "tools/osm/map_file.h"
+
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "formats/file_names.h"
+#include "tools/city/byte_source.h"
+#include "tools/city/file_stamp.h"
+#include "tools/osm/read_osm.h"
+
+namespace nightcity::osm {
+namespace {
+
+constexpr std::array<std::string_view, 5> entry_endings{".osm", ".pbf", ".o5m", ".osm.bz2", ".xml"};
+
+struct UnpackedMap {
+  city::FileStamp stamp;
+  std::string name;
+  std::shared_ptr<ScratchFile> bytes;
+};
+
+struct LastUnpacked {
+  std::mutex mutex;
+  std::optional<UnpackedMap> map;
+};
+
+LastUnpacked& last_unpacked() {
+  static LastUnpacked last;
+  return last;
+}
+
+bool is_zip(const std::filesystem::path& file) {
+  constexpr std::string_view mark = "PK\x03\x04";
+  std::error_code ignored;  // the readers say what is wrong with a file
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::string bytes(mark.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return bytes == mark;
+}
+
+// Metadata lies beside maps as XML, and so do maps themselves.
+city::Document find_map(const std::filesystem::path& file) {
+  constexpr std::size_t start = 1024;
+  std::vector<city::Document> maps;
+  for (city::Document& document : city::list_documents(file, entry_endings))
+    if (!document.name.ends_with(".xml") || begins_as_osm(city::read_start(document, start)))
+      maps.push_back(std::move(document));
+  if (maps.empty()) throw Error(file.string(), "the archive holds XML, but no map");
+  if (maps.size() == 1) return std::move(maps.front());
+  throw Error(file.string(), "the archive holds " + std::to_string(maps.size()) + " maps (" +
+                                 maps[0].name.substr(file.string().size() + 1) + ", " +
+                                 maps[1].name.substr(file.string().size() + 1) +
+                                 (maps.size() > 2 ? ", ..." : "") +
+                                 "): unpack it and name those that are wanted");
+}
+
+UnpackedMap unpack_map(const std::filesystem::path& file, const city::FileStamp& stamp) {
+  constexpr std::size_t block = std::size_t{1} << 16;
+  const city::Document document = find_map(file);
+  auto bytes = std::make_shared<ScratchFile>(scratch_folder() / "map");
+  const auto source = document.open_as_it_is();
+  std::vector<char> some(block);
+  for (std::size_t got; (got = source->read(some.data(), some.size())) > 0;)
+    bytes->write(some.data(), got);
+  bytes->flush();
+  return {stamp, document.name, std::move(bytes)};
+}
+
+}  // namespace
+
+MapFile::MapFile(const std::filesystem::path& file) : path_(file), name_(file.string()) {
+  if (!is_zip(file)) return;
+  const city::FileStamp stamp(file);
+  const std::lock_guard lock(last_unpacked().mutex);
+  auto& last = last_unpacked().map;
+  if (!last || !(last->stamp == stamp) || !stamp.is_settled()) {
+    last.reset();
+    last = unpack_map(file, stamp);
+  }
+  unpacked_ = last->bytes;
+  name_ = last->name;
+  path_ = unpacked_->path_while_open();
+}
+
+Error MapFile::to_named(const Error& error) const {
+  const std::string path = path_.string();
+  std::string text = error.what();
+  if (!unpacked_) return error;
+  for (std::size_t at = text.find(path); at != text.npos; at = text.find(path, at + name_.size()))
+    text.replace(at, path.size(), name_);
+  return Error("", text);
+}
+
+}  // namespace nightcity::osm

@@ -1,0 +1,50 @@
+// A map in a zip archive, as sites of extracts and mail programs pack it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "formats/error.h"
+#include "formats/scratch_file.h"
+
+namespace nightcity::osm {
+
+/// A map where the readers of this folder find it: where it lies, or unpacked of the archive that
+/// holds it into a file without a name.
+class MapFile {
+ public:
+  /// Throws Error where `file` is a zip archive that holds no map or several, or is broken. Other
+  /// files are not looked at. What was unpacked last is kept, as a bake reads a map several times.
+  explicit MapFile(const std::filesystem::path& file);
+
+  /// Returns the path to read from, as long as this object is there.
+  const std::filesystem::path& path() const { return path_; }
+  /// Returns an error of a reader with the map's name in place of that path.
+  Error to_named(const Error& error) const;
+
+ private:
+  std::filesystem::path path_;
+  std::string name_;
+  std::shared_ptr<ScratchFile> unpacked_;  // null: the file itself
+};
+
+/// Returns what `work` makes of the path at which a map lies plain or as one of OSM's packed
+/// formats. Errors name the map.
+template <class Work>
+auto read_map_file(const std::filesystem::path& file, const Work& work) {
+  const MapFile map(file);
+  try {
+    return work(map.path());
+  } catch (const Error& error) {
+    throw map.to_named(error);
+  }
+}
+
+/// The endings of names of maps in an archive, in lower case. (.osm.gz is read under its name
+/// without .gz.)
+inline constexpr std::array<std::string_view, 4> map_endings{".osm", ".pbf", ".o5m", ".osm.bz2"};
+
+}  // namespace nightcity::osm
