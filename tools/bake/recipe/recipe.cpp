@@ -47,9 +47,9 @@ void refuse_data(const fs::path& path) {
       return;  // it may be a recipe of another name; the parser says what is wrong
     }
   }
-  throw UsageError(path.string(), "is " + what +
-                                      ", not a recipe: `nightbake new DIR FILES...` writes one "
-                                      "for such files");
+  throw Error(path.string(), "is " + what +
+                                 ", not a recipe: `nightbake new DIR FILES...` writes one "
+                                 "for such files");
 }
 
 }  // namespace
