@@ -89,8 +89,8 @@ TEST(OpeningWindow, KeysThatNeedNoSceneAreObeyed) {
   const ViewReport report = run_viewer(options);
   hands.join();
   const std::string settings = test::read_text(options.settings_file);
-  EXPECT_NE(settings.find("estimator = 'ris'"), std::string::npos) << settings;
-  EXPECT_NE(settings.find("show = 'luminance'"), std::string::npos) << settings;
+  EXPECT_NE(settings.find("estimator = \"ris\""), std::string::npos) << settings;
+  EXPECT_NE(settings.find("show = \"luminance\""), std::string::npos) << settings;
   EXPECT_EQ(report.estimator, "ris");
   EXPECT_FALSE(std::filesystem::exists(folder / "night-001.png")) << "P needs the scene";
 }
