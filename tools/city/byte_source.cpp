@@ -125,8 +125,6 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
   throw NothingInside(path, none + (first_entry.empty() ? "" : ", but " + first_entry + remedy));
 }
 
-constexpr std::string_view zip_mark = "PK\x03\x04";
-
 std::string read_mark(const std::string& path) {
   std::string mark(zip_mark.size(), '\0');
   mark.resize(PlainSource(path).read(mark.data(), mark.size()));

@@ -8,6 +8,7 @@
 
 #include "formats/packed_file.h"
 #include "formats/to_lower.h"
+#include "tools/city/zip_archive.h"
 
 namespace nightcity::city {
 namespace {
@@ -207,7 +208,7 @@ std::optional<Foreign> find_xml(std::string_view text, std::string_view root) {
 }
 
 std::optional<Foreign> find_packed(std::string_view bytes, std::string_view name) {
-  if (bytes.starts_with("PK\x03\x04") && name.ends_with(".gz"))
+  if (bytes.starts_with(zip_mark) && name.ends_with(".gz"))
     return Foreign{"is a zip archive that was packed by gzip as well", "unpack it once (gunzip)"};
   if (bytes.starts_with("PK") || name.ends_with(".zip"))
     return Foreign{"is no zip archive, or the beginning of one that was cut off", "fetch it again"};

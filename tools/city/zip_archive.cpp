@@ -3,6 +3,7 @@
 #include <zip.h>
 
 #include <algorithm>
+#include <fstream>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -130,7 +131,7 @@ std::shared_ptr<ZipArchive> unpack_archive(const ZipEntry& entry, const std::str
   auto file = std::make_unique<ScratchFile>(scratch_folder() / "archive");
   for (std::string bytes = read_next(*source, block); !bytes.empty();
        bytes = read_next(*source, block)) {
-    if (file->size() == 0 && !bytes.starts_with("PK\x03\x04")) return nullptr;
+    if (file->size() == 0 && !bytes.starts_with(zip_mark)) return nullptr;
     unpacked.add(bytes.size());
     file->write(bytes.data(), bytes.size());
   }
@@ -155,6 +156,15 @@ LastListed& last_listed() {
 }
 
 }  // namespace
+
+bool is_zip(const std::filesystem::path& file) {
+  std::error_code ignored;  // the readers say what is wrong with a file
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::string bytes(zip_mark.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return bytes == zip_mark;
+}
 
 std::uint64_t ZipEntry::packed_size() const {
   return archive->packed_size(index);

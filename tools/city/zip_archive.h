@@ -2,13 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/city/byte_source.h"
 
 namespace nightcity::city {
+
+/// The first bytes of a zip archive that holds something.
+constexpr std::string_view zip_mark = "PK\x03\x04";
+
+/// Returns whether a file begins so; false where it is absent or no regular file.
+bool is_zip(const std::filesystem::path& file);
 
 class ZipArchive;
 

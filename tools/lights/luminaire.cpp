@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <string>
 
 #include "formats/error.h"
-#include "formats/input_file.h"
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/city/foreign_format.h"
+#include "tools/city/zip_archive.h"
 #include "tools/lights/text_lines.h"
 
 namespace nightcity::lights {
@@ -204,12 +203,7 @@ bool begins_as_eulumdat(std::string_view text) {
 }
 
 Luminaire read_luminaire(const std::filesystem::path& file) {
-  refuse_special_file(file);
-  std::array<char, 4> mark{};
-  std::ifstream(file, std::ios::binary).read(mark.data(), mark.size());
-  return std::string_view(mark.data(), mark.size()) == "PK\x03\x04"
-             ? read_gldf(file)
-             : read_luminaire(TextLines(file));
+  return city::is_zip(file) ? read_gldf(file) : read_luminaire(TextLines(file));
 }
 
 Luminaire read_luminaire(const TextLines& lines) {

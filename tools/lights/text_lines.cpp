@@ -16,11 +16,11 @@ namespace nightcity::lights {
 namespace {
 
 std::string read_content(const std::filesystem::path& file) {
+  refuse_special_file(file);
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) throw Error(file.string(), "no such file");
   if (size > largest_luminaire_file) throw Error(file.string(), "too large for a luminaire file");
-  refuse_special_file(file);
   std::ifstream stream(file, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }

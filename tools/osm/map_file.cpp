@@ -1,6 +1,5 @@
 #include "tools/osm/map_file.h"
 
-#include <fstream>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include "formats/file_names.h"
 #include "tools/city/byte_source.h"
 #include "tools/city/file_stamp.h"
+#include "tools/city/zip_archive.h"
 #include "tools/osm/read_osm.h"
 
 namespace nightcity::osm {
@@ -30,16 +30,6 @@ struct LastUnpacked {
 LastUnpacked& last_unpacked() {
   static LastUnpacked last;
   return last;
-}
-
-bool is_zip(const std::filesystem::path& file) {
-  constexpr std::string_view mark = "PK\x03\x04";
-  std::error_code ignored;  // the readers say what is wrong with a file
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  std::string bytes(mark.size(), '\0');
-  std::ifstream(file, std::ios::binary)
-      .read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return bytes == mark;
 }
 
 // Metadata lies beside maps as XML, and so do maps themselves.
@@ -73,7 +63,7 @@ UnpackedMap unpack_map(const std::filesystem::path& file, const city::FileStamp&
 }  // namespace
 
 MapFile::MapFile(const std::filesystem::path& file) : path_(file), name_(file.string()) {
-  if (!is_zip(file)) return;
+  if (!city::is_zip(file)) return;
   const city::FileStamp stamp(file);
   const std::lock_guard lock(last_unpacked().mutex);
   auto& last = last_unpacked().map;

@@ -12,6 +12,7 @@
 #include "formats/packed_file.h"
 #include "formats/to_lower.h"
 #include "tools/city/foreign_format.h"
+#include "tools/city/zip_archive.h"
 
 namespace nightcity::terrain {
 
@@ -58,7 +59,7 @@ std::string explain_unread_raster(const std::string& path) {
   const std::string_view start(bytes.data(), size);
   if (start.empty()) return "it is empty";
   if (start.starts_with("\x1f\x8b")) return "it is packed by gzip: unpack it first (gunzip)";
-  if (start.starts_with("PK\x03\x04")) return "it is a zip archive: unpack it first";
+  if (start.starts_with(city::zip_mark)) return "it is a zip archive: unpack it first";
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
   if (!said.empty()) return said;
