@@ -29,15 +29,8 @@ inline Float4 max_of(Float4 a, Float4 b) {
 inline Float4 take_xyz(Int4 a) {
   return std::bit_cast<Float4>(a & Int4{-1, -1, -1, 0});
 }
-/// Returns the 12 bytes at `bytes` as x, y, z; there must be 16.
-inline Float4 load_vec3(const std::byte* bytes) {
-  Int4 bits;
-  std::memcpy(&bits, bytes, sizeof bits);
-  return take_xyz(bits);
-}
-
 /// Returns three floats as x, y, z; no byte behind them is read.
-inline Float4 load_three(const std::byte* bytes) {
+inline Float4 load_vec3(const std::byte* bytes) {
   using Long2 = std::uint64_t __attribute__((vector_size(16)));
   std::uint64_t xy;
   std::uint32_t z;

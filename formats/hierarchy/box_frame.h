@@ -34,7 +34,7 @@ class PackedCorners {
   }
   Corners unpack() const {
     const auto at = [this](std::size_t i) {
-      return load_three(std::as_bytes(std::span(m_)).data() + 12 * i);
+      return load_vec3(std::as_bytes(std::span(m_)).data() + 12 * i);
     };
     return {at(0), at(1), at(2)};
   }

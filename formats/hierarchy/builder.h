@@ -57,8 +57,8 @@ class Builder {
     Bounds box, centres{};                // of the primitives, and of their centres
     std::uint32_t mask = 0;               // of all primitives
     std::uint32_t casting = 0;            // primitives that cast shadows
-    // Where Cuts may cut, so many places behind `end` are free, and `next_cut` is the first of as
-    // many cuts that may be made.
+    // A range keeps `room` free places behind `end` for what Cuts may cut, and may make as many cuts,
+    // of which `next_cut` is the first.
     std::uint32_t room = 0, next_cut = 0;
     std::uint32_t size() const { return end - begin; }
     bool mixed() const { return casting > 0 && casting < size(); }

@@ -25,8 +25,8 @@ class TrianglePiece {
   std::uint32_t first() const { return static_cast<std::uint32_t>(lower_[3]); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(upper_[3]); }
 
-  // Where a hierarchy may cut, pieces of large triangles are marked: their count is the number of
-  // the triangle among these, and first() that of the part.
+  // A hierarchy that may cut marks the pieces of large triangles: their count is the number of the
+  // triangle among these, and first() that of the part.
   static constexpr std::uint32_t large_bit = 0x80000000u;
   bool is_large() const { return (count() & large_bit) != 0; }
   std::uint32_t large() const { return count() & ~large_bit; }

@@ -118,7 +118,7 @@ class TriangleList {
     // because a double has more than twice as many digits (Figueroa, SIGNUM Newsletter 1995).
     hierarchy::Float4 place(std::uint32_t vertex) const {
       return to_scene ? hierarchy::to_float4(hierarchy::place(*to_scene, mapped->position(vertex)))
-                      : hierarchy::load_three(mapped->position_place(vertex)) + shift;
+                      : hierarchy::load_vec3(mapped->position_place(vertex)) + shift;
     }
   };
   static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_

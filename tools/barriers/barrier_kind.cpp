@@ -128,14 +128,6 @@ const char* explain_unknown(const std::string& value) {
   return "of a kind that is not drawn";
 }
 
-std::optional<double> length_of(const osm::OsmTags& tags, const char* key, double low,
-                                double high) {
-  const auto found = tags.find(key);
-  if (found == tags.end()) return std::nullopt;
-  const auto length = osm::parse_length_m(found->second);
-  return length && *length >= low && *length <= high ? length : std::nullopt;
-}
-
 // Returns the first of some tags' values that the rows know.
 template <class Rows>
 auto find_first(const Rows& rows, const osm::OsmTags& tags, const char* key)
@@ -193,9 +185,8 @@ std::optional<BarrierDesign> read_design(const osm::OsmTags& tags, const char*& 
     choose_fence(tags, design);
   else if (value != "hedge" && value != "guard_rail")
     choose_wall(tags, design);
-  auto height = length_of(tags, "height", 0.2, 30);
-  if (!height) height = length_of(tags, "est_height", 0.2, 30);
-  const auto width = length_of(tags, "width", 0.05, 10);
+  const auto height = osm::find_length_m(tags, {"height", "est_height"}, 0.2, 30);
+  const auto width = osm::find_length_m(tags, {"width"}, 0.05, 10);
   design.assumed_height = !height;
   design.kind.height_m = height.value_or(kind->height_m);
   if (kind->width_m > 0) {

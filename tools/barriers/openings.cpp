@@ -15,12 +15,7 @@ namespace {
 constexpr double people_m = 0.90, vehicles_m = 3.00;
 
 std::optional<double> tagged_width(const osm::OsmTags& tags) {
-  for (const char* key : {"width", "maxwidth", "maxwidth:physical"})
-    if (const auto found = tags.find(key); found != tags.end())
-      if (const auto width = osm::parse_length_m(found->second);
-          width && *width >= 0.5 && *width <= 20)
-        return width;
-  return std::nullopt;
+  return osm::find_length_m(tags, {"width", "maxwidth", "maxwidth:physical"}, 0.5, 20);
 }
 
 double usual_width(const osm::OsmTags& tags) {

@@ -1,10 +1,13 @@
-// Tells whether a file is still the one that was unpacked before.
+// Tells whether a file is still the one that was unpacked before, and keeps what was made of it.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "tools/city/unpacked_size.h"
 
@@ -33,6 +36,28 @@ class FileStamp {
   std::filesystem::path file_;
   std::uint64_t size_;
   std::filesystem::file_time_type time_;
+};
+
+/// Keeps what was made of the file that was asked for last, as a command asks for it several times.
+template <class Value>
+class LastOfFiles {
+ public:
+  /// Returns what `make()` makes of a file, which is kept if `is_worth(value)` and a change of the
+  /// file would show. What was made of another file is freed before.
+  template <class Make, class IsWorth>
+  Value find(const std::filesystem::path& file, Make make, IsWorth is_worth) {
+    const FileStamp stamp(file);
+    const std::lock_guard lock(mutex_);
+    if (kept_ && kept_->first == stamp) return kept_->second;
+    kept_.reset();
+    Value value = make();
+    if (stamp.is_settled() && is_worth(value)) kept_.emplace(stamp, value);
+    return value;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<std::pair<FileStamp, Value>> kept_;
 };
 
 }  // namespace nightcity::city

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 #include <mutex>
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -54,6 +53,8 @@ class ZipArchive {
   }
 
   zip_t* get() const { return archive_.get(); }
+  // Returns whether it lies in another archive.
+  bool is_inner() const { return unpacked_ != nullptr; }
   std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
   std::uint64_t packed_size(zip_uint64_t index) {
     const auto held = lock();
@@ -139,20 +140,17 @@ std::shared_ptr<ZipArchive> unpack_archive(const ZipEntry& entry, const std::str
   return file->size() > 0 ? std::make_shared<ZipArchive>(std::move(file), name) : nullptr;
 }
 
-// The entries of the archive that was listed last, if it holds archives.
-struct Listed {
-  FileStamp stamp;
+std::vector<ZipEntry> list_with_inner_archives(const std::string& path) {
+  UnpackedSize unpacked(path, find_packed_size(path));
   std::vector<ZipEntry> entries;
-};
-
-struct LastListed {
-  std::mutex mutex;
-  std::optional<Listed> listed;
-};
-
-LastListed& last_listed() {
-  static LastListed last;
-  return last;
+  for (ZipEntry& entry : list_one(std::make_shared<ZipArchive>(path), {})) {
+    const auto inner = unpack_archive(entry, path + "/" + entry.inside, unpacked);
+    if (!inner)
+      entries.push_back(std::move(entry));
+    else
+      for (ZipEntry& one : list_one(inner, entry.inside + "/")) entries.push_back(std::move(one));
+  }
+  return entries;
 }
 
 }  // namespace
@@ -175,25 +173,13 @@ std::unique_ptr<ByteSource> ZipEntry::open(const std::string& name) const {
 }
 
 std::vector<ZipEntry> list_zip_entries(const std::string& path) {
-  Listed now{FileStamp(path), {}};
-  const std::lock_guard lock(last_listed().mutex);
-  auto& last = last_listed().listed;
-  if (last && last->stamp == now.stamp) return last->entries;
-  last.reset();
-  UnpackedSize unpacked(path, find_packed_size(path));
-  bool holds_archives = false;
-  for (ZipEntry& entry : list_one(std::make_shared<ZipArchive>(path), {})) {
-    const auto inner = unpack_archive(entry, path + "/" + entry.inside, unpacked);
-    if (!inner) {
-      now.entries.push_back(std::move(entry));
-      continue;
-    }
-    holds_archives = true;
-    for (ZipEntry& one : list_one(inner, entry.inside + "/")) now.entries.push_back(std::move(one));
-  }
-  if (!holds_archives || !now.stamp.is_settled()) return now.entries;
-  last = std::move(now);
-  return last->entries;
+  static LastOfFiles<std::vector<ZipEntry>> last;
+  const auto holds_archives = [](const std::vector<ZipEntry>& entries) {
+    return std::any_of(entries.begin(), entries.end(),
+                       [](const ZipEntry& entry) { return entry.archive->is_inner(); });
+  };
+  return last.find(
+      path, [&] { return list_with_inner_archives(path); }, holds_archives);
 }
 
 }  // namespace nightcity::city

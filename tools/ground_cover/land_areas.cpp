@@ -165,13 +165,22 @@ GroundKind refine(const Row& row, const osm::OsmTags& tags) {
   return row.kind;
 }
 
-// Returns whether one of the values of a tag ("grass;meadow") is this.
-bool has_value(const osm::OsmTags& tags, const std::string& key, std::string_view value) {
-  const auto found = tags.find(key);
-  if (found == tags.end()) return false;
-  const auto parts = osm::split_list(found->second);
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](std::string_view part) { return osm::normalise_tag(part) == value; });
+// Returns the row for what is seen of an area; null where no tag says it. Each value of a list
+// ("grass;meadow") counts, and of rows of one rank the first in the table.
+const Row* find_row(const osm::OsmTags& tags) {
+  const bool is_no_area = tag_of(tags, "area") == "no";
+  const Row* best = nullptr;
+  for (const auto& [key, value] : tags)
+    for (const std::string_view part : osm::split_list(value)) {
+      const std::string word = osm::normalise_tag(part);
+      const auto row = std::find_if(rows.begin(), rows.end(), [&key = key, &word](const Row& r) {
+        return r.key == key && r.value == word;
+      });
+      if (row == rows.end()) continue;
+      if (is_no_area && word == "track") continue;  // a line that ends where it begins
+      if (!best || row->rank > best->rank || (row->rank == best->rank && row < best)) best = row;
+    }
+  return best;
 }
 
 // Outlines of streets: area:highway, and highway with area=yes.
@@ -202,16 +211,10 @@ std::optional<LandUse> find_land_use(const osm::OsmTags& tags) {
   if (lies_elsewhere(tags)) return std::nullopt;
   if (const auto street = find_street_outline(tags)) return street;
   if (tags.contains("building") || tags.contains("building:part")) return std::nullopt;
-  const bool is_no_area = tag_of(tags, "area") == "no";
-  std::optional<LandUse> best;
-  for (const Row& row : rows) {
-    if (best && best->rank >= row.rank) continue;
-    if (!has_value(tags, std::string(row.key), row.value)) continue;
-    if (is_no_area && row.value == "track") continue;  // a line that ends where it begins
-    const auto said = row.follows_surface ? surface_of(tags) : std::nullopt;
-    best = LandUse{row.rank, {said.value_or(refine(row, tags)), false, false}};
-  }
-  return best;
+  const Row* row = find_row(tags);
+  if (!row) return std::nullopt;
+  const auto said = row->follows_surface ? surface_of(tags) : std::nullopt;
+  return LandUse{row->rank, {said.value_or(refine(*row, tags)), false, false}};
 }
 
 osm::AreaSelection select_land() {

@@ -1,6 +1,5 @@
 #include "tools/ground_cover/watercourses.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,15 +34,6 @@ std::string find_reason_to_leave_out(const osm::OsmTags& tags) {
   return {};
 }
 
-std::optional<double> find_width_m(const osm::OsmTags& tags) {
-  for (const char* key : {"width", "est_width"})
-    if (const auto found = tags.find(key); found != tags.end())
-      if (const auto width = osm::parse_length_m(found->second);
-          width && *width >= least_width_m && *width <= greatest_width_m)
-        return width;
-  return std::nullopt;
-}
-
 }  // namespace
 
 void add_watercourses(std::span<const osm::OsmWay> lines, const place::LonLatToFrame& to_frame,
@@ -53,7 +43,8 @@ void add_watercourses(std::span<const osm::OsmWay> lines, const place::LonLatToF
     const std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame, bounds);
     const double length_m = find_length_m(line, bounds);
     if (!(length_m > 0)) continue;
-    const auto width = find_width_m(way.tags);
+    const auto width =
+        osm::find_length_m(way.tags, {"width", "est_width"}, least_width_m, greatest_width_m);
     std::string reason = find_reason_to_leave_out(way.tags);
     if (reason.empty() && !width) reason = "watercourse without a width";
     if (!reason.empty()) {

@@ -1,7 +1,5 @@
 #include "tools/osm/map_file.h"
 
-#include <mutex>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,20 +15,9 @@ namespace {
 constexpr std::array<std::string_view, 5> entry_endings{".osm", ".pbf", ".o5m", ".osm.bz2", ".xml"};
 
 struct UnpackedMap {
-  city::FileStamp stamp;
   std::string name;
   std::shared_ptr<ScratchFile> bytes;
 };
-
-struct LastUnpacked {
-  std::mutex mutex;
-  std::optional<UnpackedMap> map;
-};
-
-LastUnpacked& last_unpacked() {
-  static LastUnpacked last;
-  return last;
-}
 
 // Metadata lies beside maps as XML, and so do maps themselves.
 city::Document find_map(const std::filesystem::path& file) {
@@ -48,7 +35,7 @@ city::Document find_map(const std::filesystem::path& file) {
                                  "): unpack it and name those that are wanted");
 }
 
-UnpackedMap unpack_map(const std::filesystem::path& file, const city::FileStamp& stamp) {
+UnpackedMap unpack_map(const std::filesystem::path& file) {
   constexpr std::size_t block = std::size_t{1} << 16;
   const city::Document document = find_map(file);
   auto bytes = std::make_shared<ScratchFile>(scratch_folder() / "map");
@@ -57,22 +44,18 @@ UnpackedMap unpack_map(const std::filesystem::path& file, const city::FileStamp&
   for (std::size_t got; (got = source->read(some.data(), some.size())) > 0;)
     bytes->write(some.data(), got);
   bytes->flush();
-  return {stamp, document.name, std::move(bytes)};
+  return {document.name, std::move(bytes)};
 }
 
 }  // namespace
 
 MapFile::MapFile(const std::filesystem::path& file) : path_(file), name_(file.string()) {
   if (!city::is_zip(file)) return;
-  const city::FileStamp stamp(file);
-  const std::lock_guard lock(last_unpacked().mutex);
-  auto& last = last_unpacked().map;
-  if (!last || !(last->stamp == stamp) || !stamp.is_settled()) {
-    last.reset();
-    last = unpack_map(file, stamp);
-  }
-  unpacked_ = last->bytes;
-  name_ = last->name;
+  static city::LastOfFiles<UnpackedMap> last;
+  const UnpackedMap map = last.find(
+      file, [&] { return unpack_map(file); }, [](const UnpackedMap&) { return true; });
+  unpacked_ = map.bytes;
+  name_ = map.name;
   path_ = unpacked_->path_while_open();
 }
 

@@ -265,4 +265,14 @@ std::optional<double> parse_length_m(string_view text) {
   return std::nullopt;
 }
 
+std::optional<double> find_length_m(const OsmTags& tags, std::initializer_list<const char*> keys,
+                                    double least_m, double greatest_m) {
+  for (const char* key : keys)
+    if (const auto found = tags.find(key); found != tags.end())
+      if (const auto length = parse_length_m(found->second);
+          length && *length >= least_m && *length <= greatest_m)
+        return length;
+  return std::nullopt;
+}
+
 }  // namespace nightcity::osm

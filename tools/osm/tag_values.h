@@ -1,10 +1,13 @@
 // Values of OSM tags as people write them: with units, typos, blanks and lists.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/osm/osm_data.h"
 
 namespace nightcity::osm {
 
@@ -41,5 +44,9 @@ std::string to_plain_signs(std::string_view text);
 /// Returns metres from "6", "6 m", "6,5", "20'", "12'6\"", "20 ft", "12 ft 6 in", "600 cm", "~6 m",
 /// "approx. 6 m", the first of "6;8" or the middle of "5-7"; none from what cannot be understood.
 std::optional<double> parse_length_m(std::string_view text);
+
+/// Returns the length that the first of these tags says from `least_m` to `greatest_m`, m.
+std::optional<double> find_length_m(const OsmTags& tags, std::initializer_list<const char*> keys,
+                                    double least_m, double greatest_m);
 
 }  // namespace nightcity::osm

@@ -1,9 +1,6 @@
 #include "tools/terrain/packed_rasters.h"
 
 #include <cpl_conv.h>
-#include <cpl_error.h>
-#include <cpl_string.h>
-#include <cpl_vsi.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
@@ -16,9 +13,7 @@
 #include "formats/error.h"
 #include "formats/file_names.h"
 #include "formats/to_lower.h"
-#include "tools/city/inflate_source.h"
 #include "tools/city/text_encoding.h"
-#include "tools/city/unpacked_size.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/gsi_grid.h"
 #include "tools/terrain/raster_names.h"

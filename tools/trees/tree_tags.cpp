@@ -12,14 +12,6 @@ namespace {
 
 using ground_cover::tag_of;
 
-std::optional<double> length_of(const osm::OsmTags& tags, const char* key, double low,
-                                double high) {
-  const auto found = tags.find(key);
-  if (found == tags.end()) return std::nullopt;
-  const auto length = osm::parse_length_m(found->second);
-  return length && *length >= low && *length <= high ? length : std::nullopt;
-}
-
 std::string text_of(const osm::OsmTags& tags, const std::string& key) {
   const auto found = tags.find(key);
   return found == tags.end() ? std::string() : found->second;
@@ -60,9 +52,8 @@ LeafHabit read_habit(const osm::OsmTags& tags) {
 
 KnownSize read_tree_tags(const osm::OsmTags& tags) {
   KnownSize known;
-  for (const char* key : {"height", "est_height"})
-    if (!known.height_m) known.height_m = length_of(tags, key, 1, 100);
-  known.crown_m = length_of(tags, "diameter_crown", 0.5, 40);
+  known.height_m = osm::find_length_m(tags, {"height", "est_height"}, 1, 100);
+  known.crown_m = osm::find_length_m(tags, {"diameter_crown"}, 0.5, 40);
   known.habit = read_habit(tags);
   return known;
 }
