@@ -3,32 +3,22 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#include <iterator>
 #include <limits>
-
-#include "formats/hierarchy/bounds.h"
 
 namespace nightcity::scene {
 namespace {
 
+// Vectors hold x, y and z. The fourth place holds anything but a denormal number, which is slow.
+using hierarchy::Bounds;
 using hierarchy::Float4;
 using hierarchy::Int4;
 using hierarchy::max_of;
 using hierarchy::min_of;
 using hierarchy::to_int;
 
-// std::nextafter, without a call and for finite numbers only.
-float step_bits(float x, bool towards_zero) {
-  const auto bits = std::bit_cast<std::uint32_t>(x);
-  return std::bit_cast<float>(towards_zero ? bits - 1 : bits + 1);
-}
-float up(float x) {
-  return x == 0 ? std::numeric_limits<float>::denorm_min() : step_bits(x, x < 0);
-}
-float down(float x) {
-  return -up(-x);
-}
-
-// The same for four numbers at a time. Unsigned, because both steps are taken of -0.
+// std::nextafter, for finite numbers only. Unsigned, because both steps are taken of -0.
 Float4 down(Float4 x) {
   using Bits = std::uint32_t __attribute__((vector_size(16)));
   const Bits bits = std::bit_cast<Bits>(x);
@@ -40,67 +30,67 @@ Float4 up(Float4 x) {
   return -down(-x);
 }
 
-// The planes of four boxes, in steps from 0 to 255.
-struct Planes {
-  Int4 lower, upper;
+// Returns 2^exponent for -126 <= exponent <= 127.
+Float4 power_of_two(Int4 exponent) {
+  return std::bit_cast<Float4>((exponent + 127) << 23);
+}
+Int4 exponent_of(Float4 x) {  // of normal numbers > 0
+  return (std::bit_cast<Int4>(x) >> 23) - 127;
+}
+Int4 clamp(Int4 x, int lower, int upper) {
+  x = x < lower ? Int4{} + lower : x;
+  return x > upper ? Int4{} + upper : x;
+}
+
+// How the planes of a node's children are counted.
+struct Steps {
+  Float4 origin;
+  Int4 exponent;
 };
 
-// Rounds outwards, with a margin. Truncation rounds numbers above 0 down; one below the last step
-// rounds them up.
-Planes quantise(Float4 lower, Float4 upper, float origin, float per_m) {
-  const auto truncate = [](Float4 steps) {
-    return to_int(min_of(max_of(steps, Float4{}), Float4{} + 255.0f));
-  };
-  return {truncate((lower - origin) * per_m - BVH_MARGIN),
-          255 - truncate(255.0f - ((upper - origin) * per_m + BVH_MARGIN))};
+// Finds the smallest powers of two of which 255 reach from the origin to the far side, margins
+// included. The origin lies below the corner by two of them: a plane of 0 steps needs its margin too.
+Steps find_steps(const Bounds& box) {
+  constexpr Float4 fourth{0, 0, 0, 1};
+  const Float4 corner = down(box.lower + fourth), top = up(box.upper + fourth);
+  Steps steps;
+  steps.exponent =
+      clamp(exponent_of(max_of((top - corner) / 255.0f, Float4{} + 1e-30f)), -100, 120);
+  while (true) {
+    const Float4 step = power_of_two(steps.exponent);
+    steps.origin = down(corner - 2.0f * BVH_MARGIN * step);
+    const Int4 too_few = (255.0f - 2.0f * BVH_MARGIN) * step < top - steps.origin;
+    if ((too_few[0] | too_few[1] | too_few[2]) == 0) return steps;
+    steps.exponent -= too_few;  // which is -1
+  }
 }
 
-std::uint32_t pack_bytes(Int4 lanes) {
-  const Int4 at = lanes << Int4{0, 8, 16, 24};
-  return static_cast<std::uint32_t>(at[0] | at[1] | at[2] | at[3]);
-}
-
-// Returns 2^exponent for -126 <= exponent <= 127.
-float power_of_two(int exponent) {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
-}
-int exponent_of(float x) {  // of a normal number > 0
-  return static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23) - 127;
+// Truncation rounds numbers above 0 down.
+Int4 truncate(Float4 steps) {
+  return to_int(min_of(max_of(steps, Float4{}), Float4{} + 255.0f));
 }
 
 }  // namespace
 
-gpu::BvhNode quantise_node(const Box& box, std::span<const BvhChild> children) {
+gpu::BvhNode quantise_node(const Bounds& box, std::span<const hierarchy::MeasuredChild> children) {
   gpu::BvhNode node{};
   std::fill(std::begin(node.child), std::end(node.child), BVH_EMPTY);
-  Int4 present{};  // -1 for each child
+  const auto [origin, exponent] = find_steps(box);
+  const Float4 per_m = power_of_two(-exponent);
+  Int4 lower{}, upper{};  // a byte for each child
   for (std::size_t i = 0; i < children.size(); ++i) {
-    node.masks |= children[i].mask << (8 * i);
-    present[i] = -1;
+    const int shift = 8 * static_cast<int>(i);
+    const Bounds& child = children[i].box;
+    // Rounded outwards, with a margin. One below the last step rounds up.
+    lower |= truncate((down(child.lower) - origin) * per_m - BVH_MARGIN) << shift;
+    upper |= (255 - truncate(255.0f - ((up(child.upper) - origin) * per_m + BVH_MARGIN))) << shift;
+    node.masks |= children[i].mask << shift;
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    const float corner = down(box.lower[axis]), top = up(box.upper[axis]);
-    // The smallest power of two of which 255 reach from the origin to the far side, margins
-    // included. The origin lies below the corner by two of them: a plane of 0 steps needs its
-    // margin too.
-    int exponent = std::clamp(exponent_of(std::max((top - corner) / 255.0f, 1e-30f)), -100, 120);
-    const auto origin_of = [corner](int e) {
-      return down(corner - 2.0f * BVH_MARGIN * power_of_two(e));
-    };
-    while ((255.0f - 2.0f * BVH_MARGIN) * power_of_two(exponent) < top - origin_of(exponent))
-      ++exponent;
-    const float origin = origin_of(exponent);
-    node.origin[axis] = origin;
-    node.exponents |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
-    Float4 lower{}, upper{};
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      lower[i] = children[i].box.lower[axis];
-      upper[i] = children[i].box.upper[axis];
-    }
-    const Planes planes = quantise(down(lower), up(upper), origin, power_of_two(-exponent));
-    node.lower[axis] = pack_bytes(planes.lower & present);
-    node.upper[axis] = pack_bytes(planes.upper & present);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    node.exponents |= static_cast<std::uint32_t>(exponent[axis] + 127) << (8 * axis);
+  std::memcpy(&node.origin, &origin, sizeof node.origin);
+  std::memcpy(node.lower, &lower, sizeof node.lower);
+  std::memcpy(node.upper, &upper, sizeof node.upper);
   return node;
 }
 

@@ -1,10 +1,10 @@
 // The shaders' nodes, as builders of hierarchies make them.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "formats/hierarchy/builder.h"
+#include "runtime/scene/box.h"
 #include "runtime/scene/bvh_node.h"
 
 namespace nightcity::scene {
@@ -21,10 +21,7 @@ struct QuantisedNodes {
   using Node = gpu::BvhNode;
   static Node make(const hierarchy::Bounds& box,
                    std::span<const hierarchy::MeasuredChild> children) {
-    std::array<BvhChild, 4> quantised;
-    for (std::size_t i = 0; i < children.size(); ++i)
-      quantised[i] = {to_box(children[i].box), children[i].mask};
-    return quantise_node(to_box(box), std::span(quantised.data(), children.size()));
+    return quantise_node(box, children);
   }
 };
 

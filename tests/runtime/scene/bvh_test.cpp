@@ -10,6 +10,7 @@
 
 #include "formats/error.h"
 #include "runtime/scene/bvh_node.h"
+#include "runtime/scene/quantised_nodes.h"
 #include "runtime/scene/triangle_pieces.h"
 
 namespace nightcity::scene {
@@ -151,15 +152,15 @@ TEST(QuantiseNode, PlanesKeepTheirMarginWhereverFloatsRound) {
   for (int round = 0; round < 2000; ++round) {
     const float place = std::ldexp(1.0f, int(random() % 40) - 20);
     auto boxes = random_boxes(4, 50, random());
-    std::vector<BvhChild> children;
+    std::vector<hierarchy::MeasuredChild> children;
     Box all;
     for (Box& box : boxes) {
       box.lower += place;
       box.upper += place;
       all.grow(box);
-      children.push_back({box, 0xFF});
+      children.push_back({to_bounds(box), 0xFF});
     }
-    const gpu::BvhNode node = quantise_node(all, children);
+    const gpu::BvhNode node = quantise_node(to_bounds(all), children);
     for (std::size_t i = 0; i < children.size(); ++i)
       for (int axis = 0; axis < 3; ++axis) {
         const double step = std::ldexp(1.0, int((node.exponents >> (8 * axis)) & 255u) - 127),
