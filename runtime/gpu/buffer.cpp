@@ -139,6 +139,13 @@ void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offse
   vkUnmapMemory(device_->handle(), memory_);
 }
 
+void* Buffer::map_first() {
+  if (mapped_ || !device_->has(memory_type_, host_access)) return mapped_;
+  void* memory = nullptr;  // stays mapped until it is freed
+  VK_CHECK(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &memory));
+  return memory;
+}
+
 void Buffer::make_pieces(std::size_t count, std::size_t record_bytes, const MakePiece& make) {
   if (count == 0) return;
   const std::size_t most = Staging::piece_bytes / record_bytes;

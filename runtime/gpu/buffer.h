@@ -59,6 +59,9 @@ class Buffer {
       make(std::span<T>(static_cast<T*>(to), size), first);
     });
   }
+  /// Returns the memory itself, to be filled before any command has used the buffer, where the host
+  /// can map the device's memory; null where it cannot.
+  void* map_first();
   void download(void* data, std::size_t bytes, std::size_t offset = 0) const;
   template <class T>
   std::vector<T> read(std::size_t count) const {

@@ -16,40 +16,39 @@ namespace nightcity::render {
 DeviceLights::DeviceLights(gpu::Device& device, const scene::RenderScene& scene,
                            const scene::LightMoment& first)
     : device_(device),
-      lights_(scene.lights),
       families_(scene.families),
       vehicle_lights_(scene.traffic.vehicle_lights),
       on_(first.on) {
   // Schedules that no light uses are dropped, so that they cost nothing.
-  if (std::any_of(lights_.begin(), lights_.end(),
+  if (std::any_of(scene.lights.begin(), scene.lights.end(),
                   [](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
     schedules_ = scene.schedules;
     switches_ = scene.switches;
   }
-  lights_buffer_ = gpu::Buffer::of(device_, std::span<const Light>(lights_));
+  lights_buffer_ = gpu::Buffer::of(device_, std::span(scene.lights));
   vehicle_lights_.push_back({});
   vehicle_lights_buffer_ = gpu::Buffer::of(device_, std::span<const Light>(vehicle_lights_));
   darken_vehicles(on_);
-  first_lit_ =
-      std::async(std::launch::async, [this, time_s = first.time_s, token = find_cancel_token()] {
+  first_ = std::async(
+      std::launch::async, [this, &scene, time_s = first.time_s, token = find_cancel_token()] {
         const CancelScope scope(token);
-        scene::LitLights lit =
-            scene::lit_lights(lights_, families_, schedules_, switches_, time_s, on_);
-        const std::vector<float> flux = scene::flux_of(lit, lights_);
-        lit.alias = scene::build_alias_table(flux);
-        lit.near_grid = scene::build_light_grid(lights_, flux, scene::near_lists);
-        return lit;
+        lights_ = scene.lights;
+        FirstTables first{scene::lit_lights(lights_, families_, schedules_, switches_, time_s, on_),
+                          {}};
+        const std::vector<float> flux = scene::flux_of(first.lit, lights_);
+        first.lit.alias = scene::build_alias_table(flux);
+        first.near = make_grid(flux, scene::near_lists);
+        return first;
       });
 }
 
 void DeviceLights::finish() {
-  // One table after the other, so that no two are in memory beside their copies on the device.
-  scene::LitLights lit = first_lit_.get();
+  FirstTables first = first_.get();
   ::malloc_trim(0);  // rows of the grid, which the threads that made it have freed
-  tables_.grids[0] = upload_grid(std::exchange(lit.near_grid, {}));
-  const std::vector<float> flux = scene::flux_of(lit, lights_);
-  upload_lit(std::move(lit), tables_);
-  tables_.grids[1] = upload_grid(scene::build_light_grid(lights_, flux, scene::far_lists));
+  tables_.grids[0] = std::move(first.near);
+  const std::vector<float> flux = scene::flux_of(first.lit, lights_);
+  upload_lit(std::move(first.lit), tables_);
+  tables_.grids[1] = make_grid(flux, scene::far_lists);
 }
 
 void DeviceLights::darken_vehicles(scene::LightFamilies on) {
@@ -92,10 +91,12 @@ bool DeviceLights::set_time(double time_s, scene::LightFamilies on) {
 }
 
 DeviceLights::Tables DeviceLights::make_tables(scene::LitLights lit, bool with_tree) const {
-  scene::build_tables(lit, lights_);
+  const std::vector<float> flux = scene::flux_of(lit, lights_);
+  lit.alias = scene::build_alias_table(flux);
   Tables tables;
-  tables.grids[0] = upload_grid(std::exchange(lit.near_grid, {}));
-  tables.grids[1] = upload_grid(std::exchange(lit.far_grid, {}));
+  // One grid after the other, so that no two are in memory beside their copies on the device.
+  tables.grids[0] = make_grid(flux, scene::near_lists);
+  tables.grids[1] = make_grid(flux, scene::far_lists);
   if (with_tree) tables.tree = upload_tree(lit);
   upload_lit(std::move(lit), tables);
   return tables;
@@ -134,9 +135,31 @@ DeviceLights::Tree DeviceLights::upload_tree(const scene::LitLights& lit) const 
   return result;
 }
 
-DeviceLights::Grid DeviceLights::upload_grid(const scene::LightGrid& grid) const {
-  return {gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells)),
-          gpu::Buffer::of(device_, std::span<const gpu::GridEntry>(grid.entries)), grid.shape};
+DeviceLights::Grid DeviceLights::make_grid(std::span<const float> flux_lm,
+                                           scene::LightLists lists) const {
+  Grid result;
+  scene::LightGrid grid;
+  std::size_t used = 0;
+  if (device_.info().kind == "cpu") {
+    // The entries are made where they will be read. Room for full lists costs nothing there: memory
+    // that is not written to is not taken.
+    result.entries = gpu::Buffer(device_, 0);
+    used = scene::fill_light_grid(
+        lights_, flux_lm, lists,
+        [&](std::size_t most) {
+          result.entries = gpu::Buffer(device_, most * sizeof(gpu::GridEntry));
+          return std::span(static_cast<gpu::GridEntry*>(result.entries.map_first()), most);
+        },
+        grid);
+  } else {
+    grid = scene::build_light_grid(lights_, flux_lm, lists);
+    result.entries = gpu::Buffer::of(device_, std::span<const gpu::GridEntry>(grid.entries));
+    used = grid.entries.size();
+  }
+  result.used_bytes = used * sizeof(gpu::GridEntry);
+  result.cells = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells));
+  result.shape = grid.shape;
+  return result;
 }
 
 void DeviceLights::enter(gpu::SceneBuffers& buffers) const {
@@ -171,7 +194,7 @@ std::uint64_t DeviceLights::bytes() const {
   for (const gpu::Buffer* buffer : {&lights_buffer_, &vehicle_lights_buffer_, &bits_before_,
                                     &tables_.bits, &tables_.list, &tables_.alias})
     total += buffer->bytes();
-  for (const Grid& grid : tables_.grids) total += grid.cells.bytes() + grid.entries.bytes();
+  for (const Grid& grid : tables_.grids) total += grid.cells.bytes() + grid.used_bytes;
   if (tables_.tree) total += tables_.tree->nodes.bytes() + tables_.tree->leaf_of_light.bytes();
   return total;
 }

@@ -7,8 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "formats/large_vector.h"
 #include "runtime/gpu/buffer.h"
 #include "runtime/scene/light_families.h"
+#include "runtime/scene/light_grid.h"
 #include "runtime/scene/lit_lights.h"
 #include "runtime/scene/render_scene.h"
 
@@ -55,10 +57,15 @@ class DeviceLights {
   struct Grid {
     gpu::Buffer cells, entries;
     gpu::LightGridShape shape{};
+    std::size_t used_bytes = 0;  // of the entries
   };
   struct Tree {
     gpu::Buffer nodes, leaf_of_light;
     gpu::LightTree tree{};
+  };
+  struct FirstTables {
+    scene::LitLights lit;
+    Grid near;
   };
   // The lights that shine and the tables that they are sampled from.
   struct Tables {
@@ -73,12 +80,12 @@ class DeviceLights {
   // the device.
   Tables make_tables(scene::LitLights lit, bool with_tree) const;
   void upload_lit(scene::LitLights lit, Tables& tables) const;
-  Grid upload_grid(const scene::LightGrid& grid) const;
+  Grid make_grid(std::span<const float> flux_lm, scene::LightLists lists) const;
   Tree upload_tree(const scene::LitLights& lit) const;
   void take(Tables next);
 
   gpu::Device& device_;
-  std::vector<Light> lights_;  // static
+  LargeVector<Light> lights_;  // static
   std::vector<LightFamily> families_;
   std::vector<Schedule> schedules_;  // empty where no light uses one
   std::vector<std::uint32_t> switches_;
@@ -93,8 +100,8 @@ class DeviceLights {
   bool needs_tree_ = false;
   bool when_ready_ = false;
   // Both use what is above, so they are destroyed before it.
-  std::future<scene::LitLights> first_lit_;  // without its far grid, until finish()
-  std::future<Tables> next_;                 // until set_time takes them
+  std::future<FirstTables> first_;  // until finish()
+  std::future<Tables> next_;        // until set_time takes them
 };
 
 }  // namespace nightcity::render

@@ -1,6 +1,6 @@
 #include "runtime/scene/alias_table.h"
 
-#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace nightcity::scene {
@@ -12,9 +12,11 @@ std::span<const gpu::AliasEntry> AliasTableBuilder::build(std::span<const float>
   columns_.resize(n);
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    scaled_[i] = std::isfinite(weights[i]) && weights[i] > 0 ? double(weights[i]) : 0.0;
+    const bool counts = weights[i] > 0 && weights[i] <= std::numeric_limits<float>::max();
+    scaled_[i] = counts ? double(weights[i]) : 0.0;
     sum += scaled_[i];
   }
+  sum_ = sum;
   const double per_weight = sum > 0 ? 1 / sum : 0, uniform = 1.0 / double(n);
   std::size_t smalls = 0, larges = n;  // columns_[0, smalls) and columns_[larges, n)
   for (std::size_t i = 0; i < n; ++i) {
@@ -26,14 +28,24 @@ std::span<const gpu::AliasEntry> AliasTableBuilder::build(std::span<const float>
     smalls += small;
     larges -= !small;
   }
-  while (smalls > 0 && larges < n) {
-    const std::uint32_t s = columns_[--smalls], l = columns_[larges];
-    table_[s].keep = static_cast<float>(scaled_[s]);
-    table_[s].alias = l;
-    scaled_[l] -= 1.0 - scaled_[s];
-    if (scaled_[l] < 1.0) {
-      ++larges;
-      columns_[smalls++] = l;
+  if (smalls == 0 || larges == n) return table_;
+  // A large column fills up small ones until it is small itself. What is left of it stays in a
+  // register, because each step waits for the one before.
+  std::uint32_t small = columns_[--smalls], large = columns_[larges];
+  double left = scaled_[large], of_small = scaled_[small];
+  while (true) {
+    table_[small] = {static_cast<float>(of_small), large};
+    left -= 1.0 - of_small;
+    if (left < 1.0) {
+      small = large;
+      of_small = left;
+      if (++larges == n) break;
+      large = columns_[larges];
+      left = scaled_[large];
+    } else {
+      if (smalls == 0) break;
+      small = columns_[--smalls];
+      of_small = scaled_[small];
     }
   }
   // The columns that are left differ from 1 by rounding only, and keep themselves.

@@ -18,11 +18,14 @@ class AliasTableBuilder {
  public:
   /// Returns the table as build_alias_table does. It is valid until the next call.
   std::span<const gpu::AliasEntry> build(std::span<const float> weights);
+  /// Returns the sum of the last table's weights.
+  double sum() const { return sum_; }
 
  private:
   friend std::vector<gpu::AliasEntry> build_alias_table(std::span<const float> weights);
   std::vector<gpu::AliasEntry> table_;
   std::vector<double> scaled_;
+  double sum_ = 0;
   std::vector<std::uint32_t> columns_;  // those below 1 from the front, those above from the back
 };
 

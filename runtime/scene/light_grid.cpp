@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formats/parallel.h"
+#include "formats/touch_pages.h"
 #include "runtime/scene/alias_table.h"
 #include "runtime/scene/light_bins.h"
 #include "runtime/scene/strongest_lights.h"
@@ -22,7 +23,7 @@ constexpr float max_coordinate_m = 1e7f;
 // `entries`, which is empty.
 void fill_row(const std::vector<LightBins>& classes, const gpu::LightGridShape& shape,
               std::size_t listed, std::uint32_t z, std::span<gpu::LightCell> cells,
-              std::vector<gpu::GridEntry>& entries) {
+              LargeVector<gpu::GridEntry>& entries) {
   StrongestLights search(classes, shape, listed);
   AliasTableBuilder table;
   std::vector<float> weights;
@@ -32,17 +33,12 @@ void fill_row(const std::vector<LightBins>& classes, const gpu::LightGridShape& 
     cell.first = static_cast<std::uint32_t>(entries.size());
     cell.count = static_cast<std::uint32_t>(found.size());
     weights.resize(found.size());
-    double sum = 0;
-    float weakest = INFINITY;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      weights[i] = strength_of(found[i]);
-      weakest = std::min(weakest, weights[i]);
-      sum += double(weights[i]);
-    }
-    cell.strength_sum = static_cast<float>(sum);
-    // The threshold lies between the weakest light inside and the strongest outside.
-    cell.threshold = found.empty() ? 0.0f : std::sqrt(weakest) * std::sqrt(search.outside());
+    for (std::size_t i = 0; i < found.size(); ++i) weights[i] = strength_of(found[i]);
     const std::span<const gpu::AliasEntry> alias = table.build(weights);
+    cell.strength_sum = static_cast<float>(table.sum());
+    // The threshold lies between the weakest light inside and the strongest outside.
+    cell.threshold =
+        found.empty() ? 0.0f : std::sqrt(search.weakest()) * std::sqrt(search.outside());
     entries.resize(cell.first + found.size());
     gpu::GridEntry* const to = entries.data() + cell.first;
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -54,12 +50,13 @@ std::span<gpu::LightCell> row_of(LightGrid& grid, std::size_t z) {
   return std::span(grid.cells).subspan(z * grid.shape.width, grid.shape.width);
 }
 
-// Appends the entries of rows to a grid in the rows' order, whichever is filled first. Only rows
-// that wait for one before theirs are in memory twice, and their memory is used again.
+// Puts the entries of rows behind each other in the rows' order, whichever is filled first. Only
+// rows that wait for one before theirs are in memory twice, and their memory is used again.
 class RowAppender {
  public:
-  using Entries = std::vector<gpu::GridEntry>;
-  explicit RowAppender(LightGrid& grid) : grid_(grid), rows_(grid.shape.depth) {}
+  using Entries = LargeVector<gpu::GridEntry>;
+  RowAppender(LightGrid& grid, std::span<gpu::GridEntry> to)
+      : grid_(grid), to_(to), rows_(grid.shape.depth) {}
 
   // Calls `fill` with an empty vector for the entries of row `z`.
   template <class Fill>
@@ -69,15 +66,20 @@ class RowAppender {
     const std::lock_guard lock(appending_);
     rows_[z] = std::move(entries);
     for (; next_ < rows_.size() && rows_[next_]; ++next_) {
-      const auto end = static_cast<std::uint32_t>(grid_.entries.size());
-      for (gpu::LightCell& cell : row_of(grid_, next_)) cell.first += end;
+      for (gpu::LightCell& cell : row_of(grid_, next_))
+        cell.first += static_cast<std::uint32_t>(count_);
       Entries row = std::move(*rows_[next_]);
       rows_[next_].reset();
-      grid_.entries.insert(grid_.entries.end(), row.begin(), row.end());
+      const std::span<gpu::GridEntry> place = to_.subspan(count_, row.size());
+      touch_pages(place);
+      std::copy(row.begin(), row.end(), place.begin());
+      count_ += row.size();
       row.clear();
       empty_.push_back(std::move(row));
     }
   }
+
+  std::size_t count() const { return count_; }
 
  private:
   Entries take_empty() {
@@ -89,6 +91,8 @@ class RowAppender {
   }
 
   LightGrid& grid_;
+  std::span<gpu::GridEntry> to_;
+  std::size_t count_ = 0;  // entries so far
   std::mutex appending_;
   std::vector<std::optional<Entries>> rows_;
   std::vector<Entries> empty_;
@@ -107,6 +111,16 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
 LightGrid build_light_grid(std::span<const Light> lights, std::span<const float> flux_lm,
                            LightLists lists) {
   LightGrid grid;
+  const auto take = [&](std::size_t most) {
+    grid.entries.resize(most);  // what is not written to takes no room
+    return std::span(grid.entries);
+  };
+  grid.entries.resize(fill_light_grid(lights, flux_lm, lists, take, grid));
+  return grid;
+}
+
+std::size_t fill_light_grid(std::span<const Light> lights, std::span<const float> flux_lm,
+                            LightLists lists, const TakeEntryMemory& take, LightGrid& grid) {
   float lower_x = INFINITY, lower_z = INFINITY, upper_x = -INFINITY, upper_z = -INFINITY;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
@@ -118,7 +132,7 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
     lower_z = std::min(lower_z, z);
     upper_z = std::max(upper_z, z);
   }
-  if (!(lower_x <= upper_x)) return grid;  // no light shines: width 0 tells the shader
+  if (!(lower_x <= upper_x)) return 0;  // no light shines: width 0 tells the shader
 
   gpu::LightGridShape& shape = grid.shape;
   const float extent_x = upper_x - lower_x, extent_z = upper_z - lower_z;
@@ -138,15 +152,13 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
 
   const std::vector<LightBins> classes = sort_into_bins(lights, flux_lm, shape);
   grid.cells.resize(std::size_t{shape.width} * shape.depth);
-  // Room for full lists. Memory that is not written to takes no room.
-  grid.entries.reserve(grid.cells.size() * std::min<std::size_t>(lists.listed, shining));
-  RowAppender rows(grid);
+  RowAppender rows(grid, take(grid.cells.size() * std::min<std::size_t>(lists.listed, shining)));
   run_parallel(shape.depth, count_cores(), [&](std::size_t z) {
-    rows.append(z, [&](std::vector<gpu::GridEntry>& entries) {
+    rows.append(z, [&](RowAppender::Entries& entries) {
       fill_row(classes, shape, lists.listed, std::uint32_t(z), row_of(grid, z), entries);
     });
   });
-  return grid;
+  return rows.count();
 }
 
 float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,

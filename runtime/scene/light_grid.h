@@ -3,7 +3,9 @@
 // it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -46,6 +48,14 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists);
 /// The same for lights whose fluxes at present are `flux_lm`, parallel to `lights`.
 LightGrid build_light_grid(std::span<const Light> lights, std::span<const float> flux_lm,
                            LightLists lists);
+
+/// Gives memory for so many entries at most, of which the first will be used.
+using TakeEntryMemory = std::function<std::span<gpu::GridEntry>(std::size_t most)>;
+
+/// Fills the shape and the cells of a grid as build_light_grid does, and puts the entries into the
+/// memory that `take` gives. Returns how many there are.
+std::size_t fill_light_grid(std::span<const Light> lights, std::span<const float> flux_lm,
+                            LightLists lists, const TakeEntryMemory& take, LightGrid& grid);
 
 /// Returns a light's strength in a cell, as the shader computes it.
 float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,

@@ -1,7 +1,5 @@
 #include "runtime/scene/lit_lights.h"
 
-#include "runtime/scene/alias_table.h"
-
 namespace nightcity::scene {
 
 LitLights lit_lights(std::span<const Light> lights, std::span<const LightFamily> families,
@@ -29,13 +27,6 @@ std::vector<float> flux_of(const LitLights& lit, std::span<const Light> lights) 
   std::vector<float> flux(lights.size());
   for (const std::uint32_t i : lit.list) flux[i] = lights[i].flux_lm;
   return flux;
-}
-
-void build_tables(LitLights& lit, std::span<const Light> lights) {
-  const std::vector<float> flux = flux_of(lit, lights);
-  lit.alias = build_alias_table(flux);
-  lit.near_grid = build_light_grid(lights, flux, near_lists);
-  lit.far_grid = build_light_grid(lights, flux, far_lists);
 }
 
 }  // namespace nightcity::scene

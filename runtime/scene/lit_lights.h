@@ -8,17 +8,14 @@
 #include "formats/night.h"
 #include "formats/schedule.h"
 #include "runtime/scene/light_families.h"
-#include "runtime/scene/light_grid.h"
 
 namespace nightcity::scene {
 
 struct LitLights {
   std::vector<std::uint32_t> bits;     // one bit per light, 32 per word
   std::vector<std::uint32_t> list;     // indices of the lights that shine, ascending
-  std::vector<gpu::AliasEntry> alias;  // over flux, parallel to the lights
+  std::vector<gpu::AliasEntry> alias;  // over flux, parallel to the lights, where it was made
   double flux_lm = 0;                  // of all that shine
-  LightGrid near_grid;                 // the strongest near each place
-  LightGrid far_grid;                  // those of its neighbourhood
   TimeSpan steady;                     // the same lights shine
 
   bool same_lights(const LitLights& other) const { return bits == other.bits; }
@@ -32,8 +29,5 @@ LitLights lit_lights(std::span<const Light> lights, std::span<const LightFamily>
 
 /// Returns the flux of each light in lumens, 0 where it is off.
 std::vector<float> flux_of(const LitLights& lit, std::span<const Light> lights);
-
-/// Fills in the alias table and the grids. A light without flux never shines.
-void build_tables(LitLights& lit, std::span<const Light> lights);
 
 }  // namespace nightcity::scene

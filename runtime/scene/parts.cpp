@@ -1,7 +1,9 @@
 #include "runtime/scene/parts.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
+#include <span>
 
 namespace nightcity::scene {
 namespace {
@@ -35,8 +37,12 @@ void remove_profile(Light& light) {
       pack_kind_profile(static_cast<std::uint32_t>(light_kind(light)), LIGHT_NO_PROFILE);
 }
 
-template <class T>
-void keep(std::vector<T>& values, const std::vector<bool>& kept) {
+std::array<std::span<Light>, 2> groups_of(SceneLights& lights) {
+  return {lights.lights, lights.traffic.vehicle_lights};
+}
+
+template <class Values>
+void keep(Values& values, const std::vector<bool>& kept) {
   if (values.size() != kept.size()) return;  // a list that is empty because nothing is known
   std::size_t to = 0;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -66,8 +72,8 @@ void remove_sizes(SceneLights& lights, std::vector<std::uint32_t>& numbers) {
     for (std::uint32_t i = 0; i < lights.lights.size(); ++i) numbers.push_back(i);
   for (std::uint32_t& number : numbers)
     if (number < lights.lights.size() && is_sphere(lights.lights[number])) number = unlinked_light;
-  for (std::vector<Light>* group : {&lights.lights, &lights.traffic.vehicle_lights})
-    for (Light& light : *group)
+  for (const std::span<Light> group : groups_of(lights))
+    for (Light& light : group)
       if (is_sphere(light)) light.radius = 0;
 }
 
@@ -130,8 +136,8 @@ std::vector<std::uint32_t> leave_out_lights(SceneLights& lights, const PartSet& 
         light.tangent = east;
       }
   if (holds(left_out, Part::profiles)) {
-    for (std::vector<Light>* group : {&lights.lights, &lights.traffic.vehicle_lights})
-      for (Light& light : *group)
+    for (const std::span<Light> group : groups_of(lights))
+      for (Light& light : group)
         if (has_profile(light, lights)) remove_profile(light);
     lights.profiles.clear();
     lights.profile_data.clear();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "formats/georeference.h"
+#include "formats/large_vector.h"
 #include "formats/light_file.h"
 #include "formats/scene.h"
 #include "runtime/scene/bvh.h"
@@ -96,7 +97,7 @@ struct RenderScene {
   std::vector<bool> carriageways{};      // by material: is_carriageway_material
   std::vector<gpu::Texture> textures{};
   LargeVector<std::uint32_t> texels{};  // of all textures
-  std::vector<Light> lights;
+  LargeVector<Light> lights;
   std::vector<LightFamily> families;  // parallel to lights
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;
@@ -134,7 +135,7 @@ std::string describe_licences(const RenderScene& scene);
 
 /// The lights of a scene.
 struct SceneLights {
-  std::vector<Light> lights;
+  LargeVector<Light> lights;
   std::vector<LightFamily> families;  // empty or parallel to lights
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;

@@ -86,6 +86,7 @@ void StrongestLights::add_stronger(const LightRange& range, float centre_x, floa
   for (; i + 4 <= range.count; i += 4) {
     const Float4 dx = load(range.x + i) - centre_x, dz = load(range.z + i) - centre_z,
                  value = load(range.flux + i) / (dx * dx + dz * dz + shape_.softening_m2);
+    if (!hierarchy::any_of(value > bar_)) continue;
     for (std::size_t k = 0; k < 4; ++k) {
       *to = make_found(value[k], range.light[i + k]);
       to += value[k] > bar_;
@@ -102,17 +103,24 @@ void StrongestLights::add_stronger(const LightRange& range, float centre_x, floa
 
 // Leaves out the lights that rounding could confuse with one that is left out.
 void StrongestLights::leave_gap() {
-  while (true) {
+  FoundLight* const found = found_.data();
+  while (count_ > 0) {
+    const std::size_t count = count_;
+    FoundLight weakest = found[0];
+    for (std::size_t i = 1; i < count; ++i) weakest = std::min(weakest, found[i]);
+    weakest_ = strength_of(weakest);
     const float limit = outside_ * min_gap;
+    if (weakest_ > limit) return;
+    FoundLight strongest_out = 0;
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const float strength = strength_of(found_[i]);
-      if (strength > limit)
-        found_[kept++] = found_[i];
-      else
-        outside_ = std::max(outside_, strength);
+    for (std::size_t i = 0; i < count; ++i) {
+      const FoundLight light = found[i];
+      const bool stays = strength_of(light) > limit;
+      found[kept] = light;
+      kept += stays;
+      strongest_out = std::max(strongest_out, stays ? 0 : light);
     }
-    if (kept == count_) return;
+    outside_ = std::max(outside_, strength_of(strongest_out));
     count_ = kept;
   }
 }

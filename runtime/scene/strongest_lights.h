@@ -36,6 +36,8 @@ class StrongestLights {
   /// Finds the lights that a cell lists, in no order.
   std::span<const FoundLight> find(std::uint32_t x, std::uint32_t z);
 
+  /// Returns the strength of the weakest light that the last cell lists, if it lists any.
+  float weakest() const { return weakest_; }
   /// Returns the strength of the strongest light that the last cell does not list, or more.
   float outside() const { return outside_; }
 
@@ -49,7 +51,7 @@ class StrongestLights {
   std::size_t listed_;
   std::vector<FoundLight> found_;  // the first count_ of these, and room for more
   std::size_t count_ = 0;
-  float bar_ = 0, unseen_ = 0, outside_ = 0;
+  float bar_ = 0, unseen_ = 0, weakest_ = 0, outside_ = 0;
 };
 
 /// Returns the place of a cell's centre, X and Z.

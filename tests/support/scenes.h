@@ -15,6 +15,11 @@
 
 namespace nightcity::test {
 
+/// Returns lights as scenes hold them.
+inline LargeVector<Light> to_large(const std::vector<Light>& lights) {
+  return {lights.begin(), lights.end()};
+}
+
 /// A camera 30 m above the origin.
 inline const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
@@ -84,8 +89,8 @@ class SceneBuilder {
 
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
-  scene::RenderScene with(std::vector<Light> lights) const {
-    return scene::make_render_scene(scene_, {std::move(lights), {}, {}, {}});
+  scene::RenderScene with(const std::vector<Light>& lights) const {
+    return scene::make_render_scene(scene_, {to_large(lights), {}, {}, {}});
   }
 
  private:

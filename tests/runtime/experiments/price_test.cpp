@@ -51,7 +51,7 @@ const SimplerModel& row_of(const PriceReport& report, const std::string& name) {
 
 scene::SceneLights with_families(std::vector<Light> lights, std::vector<LightFamily> families) {
   scene::SceneLights all;
-  all.lights = std::move(lights);
+  all.lights = test::to_large(lights);
   all.families = std::move(families);
   return all;
 }

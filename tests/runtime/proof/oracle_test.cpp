@@ -104,15 +104,16 @@ const scene::CameraPose over_boxes{{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50};
 TEST(Reference, EqualsTheOracleOnEveryKindOfLight) {
   const SceneBuilder builder = boxes_on_a_plane();
   const scene::SceneLights lights = every_kind_of_light();
-  const oracle::Oracle oracle(builder.scene(),
-                              {lights.lights, lights.profiles, lights.profile_data});
+  const oracle::Oracle oracle(
+      builder.scene(),
+      {{lights.lights.begin(), lights.lights.end()}, lights.profiles, lights.profile_data});
   expect_agreement(compare_with_oracle(scene::make_render_scene(builder.scene(), lights), oracle,
                                        over_boxes, 64, 8, 2));
 }
 
 // Lamps are shrunk to points and windows to a thousandth, so that neither side has noise: geometry,
 // profiles and shadows remain. Shadows are hard, and some pixels lie on their edges.
-void shrink(std::vector<Light>& lights) {
+void shrink(std::span<Light> lights) {
   for (Light& light : lights) {
     light.radius *= light_kind(light) == LightKind::rectangle ? 1e-3f : 0;
     light.half_height *= 1e-3f;
@@ -144,8 +145,9 @@ TEST(Reference, EqualsTheOracleInATown) {
 TEST(Reference, ADimmedLampIsNoticedByTheOracle) {
   const SceneBuilder builder = boxes_on_a_plane();
   scene::SceneLights lights = every_kind_of_light();
-  const oracle::Oracle oracle(builder.scene(),
-                              {lights.lights, lights.profiles, lights.profile_data});
+  const oracle::Oracle oracle(
+      builder.scene(),
+      {{lights.lights.begin(), lights.lights.end()}, lights.profiles, lights.profile_data});
   lights.lights[2].flux_lm *= 0.8f;
   const measure::PixelTest test = compare_with_oracle(
       scene::make_render_scene(builder.scene(), lights), oracle, over_boxes, 32, 12, 2);

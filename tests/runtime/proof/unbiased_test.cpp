@@ -85,7 +85,7 @@ Place analytic() {
 // from most of the picture, and seen past the box from some of it.
 Place analytic_with_hidden_lamps() {
   Place place = analytic();
-  std::vector<Light> lights = place.scene.lights;
+  std::vector<Light> lights(place.scene.lights.begin(), place.scene.lights.end());
   lights.push_back(lamp({-1, 3, -16}, 4e6f, 0.2f));
   lights.push_back(lamp({2, 4, -17}, 4e6f, 0.2f));
   place.scene = boxes_on_a_plane().with(lights);

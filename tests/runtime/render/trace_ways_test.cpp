@@ -46,7 +46,7 @@ scene::RenderScene street() {
   scene.nodes.push_back(posts);
   scene.nodes.push_back({"glass", "lamp", 2, false, {SceneInstance{}}});
   scene::SceneLights lights;
-  lights.lights = random_lamps(60, 50, 6);
+  lights.lights = to_large(random_lamps(60, 50, 6));
   scene::Traffic& traffic = lights.traffic;
   traffic.cycle.cycle_s = 100;
   for (float& share : traffic.cycle.density) share = 1;

@@ -51,7 +51,7 @@ void add_trip(scene::Traffic& traffic, const std::vector<TripKnot>& knots, float
 
 scene::RenderScene with_traffic(scene::Traffic traffic, std::vector<Light> lights = {}) {
   scene::SceneLights all;
-  all.lights = std::move(lights);
+  all.lights = test::to_large(lights);
   all.traffic = std::move(traffic);
   return scene::make_render_scene(SceneBuilder().ground(60).scene(), std::move(all));
 }
@@ -60,7 +60,7 @@ scene::RenderScene with_traffic(scene::Traffic traffic, std::vector<Light> light
 scene::RenderScene place_static(const glm::vec3& lower, const glm::vec3& upper,
                                 std::vector<Light> lights) {
   scene::SceneLights all;
-  all.lights = std::move(lights);
+  all.lights = test::to_large(lights);
   return scene::make_render_scene(SceneBuilder().ground(60).box(lower, upper).scene(),
                                   std::move(all));
 }

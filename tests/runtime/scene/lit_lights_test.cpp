@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/scene/alias_table.h"
+#include "runtime/scene/light_grid.h"
 #include "support/alias_probabilities.h"
 #include "support/scenes.h"
 
@@ -17,9 +19,10 @@ TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
   const std::vector<std::uint32_t> switches{1000, 2000};
   const std::vector<LightFamily> families(lights.size(), LightFamily::lamp);
   for (const double time : {500.0, 1500.0}) {
-    LitLights lit = lit_lights(lights, families, schedules, switches, time);
-    build_tables(lit, lights);
-    const std::vector<double> p = test::find_probabilities(lit.alias);
+    const LitLights lit = lit_lights(lights, families, schedules, switches, time);
+    const std::vector<float> flux = flux_of(lit, lights);
+    const LightGrid near = build_light_grid(lights, flux, near_lists);
+    const std::vector<double> p = test::find_probabilities(build_alias_table(flux));
     double sum = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const bool shines = i != 99 && (i % 2 == 1 || time == 1500);
@@ -28,7 +31,7 @@ TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
       EXPECT_EQ(p[i] > 0, shines) << i;
       EXPECT_NEAR(p[i], shines ? double{lights[i].flux_lm} / lit.flux_lm : 0, 1e-7) << i;
       sum += p[i];
-      for (const gpu::GridEntry& entry : lit.near_grid.entries)
+      for (const gpu::GridEntry& entry : near.entries)
         EXPECT_TRUE(shines || (entry.light != i && entry.alias_light != i)) << i;
     }
     EXPECT_NEAR(sum, 1, 1e-5);

@@ -157,7 +157,7 @@ TEST(Skyglow, TheMapLooksTowardsTheCity) {
 // The shares that a map carries give the upward light of another time as a map made then does.
 TEST(CitySky, FollowsTheLightsToAnotherTime) {
   SceneLights lights;
-  lights.lights = test::random_lamps(60, 90, 5);
+  lights.lights = test::to_large(test::random_lamps(60, 90, 5));
   lights.families.assign(lights.lights.size(), LightFamily::lamp);
   for (std::size_t i = 0; i < lights.lights.size(); i += 3) lights.lights[i].schedule = 0;
   lights.schedules = {{0, 2}};
