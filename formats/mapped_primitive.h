@@ -34,14 +34,21 @@ struct MappedPrimitive {
 
   /// Returns the vertices of a triangle, `triangle` < triangles.
   std::array<std::uint32_t, 3> corners(std::size_t triangle) const {
-    std::array<std::uint32_t, 3> result;
-    if (index_bytes == 2 && indices.first)  // nearly all: a single branch instead of three
-      for (std::size_t k = 0; k < 3; ++k)
-        result[k] = load<std::uint16_t>(index_place(3 * triangle + k));
-    else
-      for (std::size_t k = 0; k < 3; ++k) result[k] = index(3 * triangle + k);
-    for (std::uint32_t& corner : result) corner = std::min(corner, vertices - 1);
-    return result;
+    const auto at = [&](std::size_t k) {
+      // Nearly all are of two bytes: a single branch instead of three, once this is inlined.
+      const std::uint32_t found = index_bytes == 2 && indices.first
+                                      ? load<std::uint16_t>(index_place(3 * triangle + k))
+                                      : index(3 * triangle + k);
+      return std::min(found, vertices - 1);
+    };
+    // In registers: to copy an array that was written number by number waits for its memory.
+    const std::uint32_t a = at(0), b = at(1), c = at(2);
+    return {a, b, c};
+  }
+  /// Returns whether the vertices of a triangle are there, as the file has them.
+  bool has_vertices(std::size_t triangle) const {
+    return std::max({index(3 * triangle), index(3 * triangle + 1), index(3 * triangle + 2)}) <
+           vertices;
   }
   /// Returns the vertex of a corner as the file has it, `corner` < 3 * triangles.
   std::uint32_t index(std::size_t corner) const {
@@ -85,6 +92,16 @@ struct MappedPrimitive {
     return value;
   }
 };
+
+/// When the vertices of mapped triangles are looked at: whether they are there, and finite.
+enum class VertexCheck {
+  now,
+  later  ///< by whoever reads them (has_vertices), which spares a walk over all of the file
+};
+
+/// Returns whether the values of a primitive are those that PrimitiveReader::read() accepts: ids are
+/// in their ranges and, where they are looked at now, indices too and positions finite.
+bool is_fit(const MappedPrimitive& primitive, VertexCheck vertices);
 
 /// One for each primitive of a mesh; nothing for those that cannot be read in place.
 using MappedMesh = std::vector<std::optional<MappedPrimitive>>;

@@ -118,11 +118,11 @@ SceneMesh DocumentReader::read_mesh(std::size_t index, MappedMesh* mapped) {
   return mesh;
 }
 
-std::optional<MappedMesh> DocumentReader::map_mesh(std::size_t index) {
+std::optional<MappedMesh> DocumentReader::map_mesh(std::size_t index, VertexCheck vertices) {
   MappedMesh mesh;
   for (const Json& source : member(document_.element("meshes", index), "primitives")) {
     auto primitive = primitives_.find(source, tables_);
-    if (!primitive || !is_fit(*primitive)) return std::nullopt;
+    if (!primitive || !is_fit(*primitive, vertices)) return std::nullopt;
     primitive->material = find_material(source);
     if (scene_.materials[primitive->material].texture) return std::nullopt;
     mesh.push_back(primitive);

@@ -39,7 +39,7 @@ class DocumentReader {
   const Scene& scene() const { return scene_; }
   const std::vector<StoredHierarchy>& hierarchies() const { return hierarchies_; }
   SceneMesh read_mesh(std::size_t index, MappedMesh* mapped);
-  std::optional<MappedMesh> map_mesh(std::size_t index);
+  std::optional<MappedMesh> map_mesh(std::size_t index, VertexCheck vertices);
 
   /// Adds what is known when all meshes have been read.
   void complete();

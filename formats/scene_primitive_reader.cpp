@@ -140,29 +140,6 @@ std::vector<glm::vec2> PrimitiveReader::read_texture_coordinates(const Json& sou
   return coordinates;
 }
 
-bool is_fit(const MappedPrimitive& primitive) {
-  const auto load = [](const MappedPrimitive::Array& array, std::size_t vertex) {
-    float value;
-    std::memcpy(&value, array.first + vertex * array.stride, sizeof value);
-    return value;
-  };
-  std::uint32_t largest = 0;
-  for (std::size_t corner = 0; corner < 3 * std::size_t{primitive.triangles}; ++corner)
-    largest = std::max(largest, primitive.index(corner));
-  bool fit = largest < primitive.vertices;
-  for (std::uint32_t i = 0; i < primitive.vertices; ++i) fit &= finite(primitive.position(i));
-  if (primitive.features.first)
-    for (std::size_t i = 0; i < primitive.vertices; ++i) {
-      const float id = load(primitive.features, i);
-      fit &= id == primitive.null_feature ||
-             (id >= 0 && id < static_cast<float>(primitive.feature_count));
-    }
-  if (primitive.lights.first)
-    for (std::size_t i = 0; i < primitive.vertices; ++i)
-      fit &= load(primitive.lights, i) < static_cast<float>(gltf::max_id);
-  return fit;
-}
-
 std::optional<MappedPrimitive> PrimitiveReader::find(
     const Json& source, const std::vector<FeatureRange>& tables) const {
   const Json& attributes = member(source, "attributes");

@@ -29,10 +29,6 @@ std::vector<std::uint32_t> to_feature_ids(const gltf::Json& source, const char* 
                                           const std::vector<float>& values,
                                           const std::vector<FeatureRange>& tables);
 
-/// Returns whether the values of a primitive are those that PrimitiveReader::read() accepts:
-/// positions are finite, indices and ids in their ranges.
-bool is_fit(const MappedPrimitive& primitive);
-
 class PrimitiveReader {
  public:
   explicit PrimitiveReader(const gltf::AccessorReader& accessors) : accessors_(accessors) {}

@@ -112,9 +112,9 @@ SceneMesh SceneFile::read_mesh(std::size_t index, MappedMesh* mapped) {
   return mesh;
 }
 
-std::optional<MappedMesh> SceneFile::map_mesh(std::size_t index) {
+std::optional<MappedMesh> SceneFile::map_mesh(std::size_t index, VertexCheck vertices) {
   try {
-    auto mesh = reading_->reader.map_mesh(index);
+    auto mesh = reading_->reader.map_mesh(index, vertices);
     if (mesh) reading_->release_pages_after(count_bytes(*mesh));
     return mesh;
   } catch (const std::exception&) {

@@ -2,6 +2,7 @@
 // its time on them. GCC's and clang's vector extension compiles to SSE or NEON.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,15 @@ inline Float4 min_of(Float4 a, Float4 b) {
 }
 inline Float4 max_of(Float4 a, Float4 b) {
   return a > b ? a : b;
+}
+
+/// Returns whether a comparison holds in some place, or in each of the four.
+inline bool any_of(Int4 a) {
+  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(a);
+  return (halves[0] | halves[1]) != 0;
+}
+inline bool all_of(Int4 a) {
+  return !any_of(~a);
 }
 
 /// Returns a with 0 in the fourth place: an integer there would be a slow denormal number.

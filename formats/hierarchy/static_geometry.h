@@ -4,13 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "formats/finite.h"
+#include "formats/hierarchy/box_frame.h"
 #include "formats/scene.h"
 
 namespace nightcity::hierarchy {
@@ -53,11 +53,18 @@ inline glm::vec3 place(const glm::dmat4& to_scene, const glm::vec3& vertex) {
   return glm::vec3(to_scene * glm::dvec4(vertex, 1.0));
 }
 
-/// Returns whether a triangle has an area and lies within 1e15 m. Others are left out.
+/// Returns whether a triangle has an area and lies within max_coordinate_m. Others are left out.
+inline bool is_shown(const Corners& c) {
+  const auto next = [](Float4 v) { return __builtin_shuffle(v, Int4{1, 2, 0, 3}); };
+  const auto is_near = [](Float4 v) {
+    return max_of(v, -v) <= static_cast<float>(max_coordinate_m);  // no float lies between the two
+  };
+  const Float4 a = c.v1 - c.v0, b = c.v2 - c.v0,
+               normal = a * next(b) - next(a) * b;  // z, x and y of the cross product
+  return any_of(normal * normal > 0.0f) && all_of(is_near(c.v0) & is_near(c.v1) & is_near(c.v2));
+}
 inline bool is_shown(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2) {
-  const glm::vec3 normal = glm::cross(v1 - v0, v2 - v0);
-  return glm::dot(normal, normal) > 0 && is_within_reach(v0) && is_within_reach(v1) &&
-         is_within_reach(v2);
+  return is_shown({to_float4(v0), to_float4(v1), to_float4(v2)});
 }
 
 }  // namespace nightcity::hierarchy

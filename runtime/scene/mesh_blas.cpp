@@ -36,8 +36,10 @@ RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned thr
   return add_mesh(scene, range, root);
 }
 
-RootAndBox add_static_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
-                           const StoredHierarchy* stored, const hierarchy::BoxFrame& frame) {
+std::optional<RootAndBox> add_static_blas(RenderScene& scene, const TriangleRange& range,
+                                          VertexCheck vertices, unsigned threads,
+                                          const StoredHierarchy* stored,
+                                          const hierarchy::BoxFrame& frame) {
   const std::size_t count = range.end - range.first, position = scene.triangle_order.size();
   BvhRoot root;
   if (stored) {
@@ -49,6 +51,7 @@ RootAndBox add_static_blas(RenderScene& scene, const TriangleRange& range, unsig
       ++scene.stored_hierarchies;
       return add_mesh(scene, range, root);
     }
+    if (vertices == VertexCheck::later) return std::nullopt;
     say_unused(scene, fault);
     scene.triangle_order.resize(position);
   }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,8 +35,12 @@ RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned thr
                     std::uint32_t stack = mesh_stack, const hierarchy::BoxFrame& frame = {});
 
 /// Adds the BLAS over some triangles that stand where they are stored, and returns its root and
-/// box. It is built, unless `stored` is of these triangles.
-RootAndBox add_static_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
-                           const StoredHierarchy* stored, const hierarchy::BoxFrame& frame);
+/// box. It is built, unless `stored` is of these triangles. Then they are looked at on the way, so
+/// that VertexCheck::later is enough; nothing is returned where that was asked for, and `stored` is
+/// not of them.
+std::optional<RootAndBox> add_static_blas(RenderScene& scene, const TriangleRange& range,
+                                          VertexCheck vertices, unsigned threads,
+                                          const StoredHierarchy* stored,
+                                          const hierarchy::BoxFrame& frame);
 
 }  // namespace nightcity::scene

@@ -8,6 +8,7 @@
 #include "formats/parallel.h"
 #include "runtime/scene/bvh.h"
 #include "runtime/scene/parts.h"
+#include "runtime/scene/vertex_placing.h"
 
 namespace nightcity::scene {
 namespace {
@@ -81,9 +82,12 @@ struct Converted {
 // Returns whether all triangles of a primitive are shown.
 bool shows_all(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
                std::vector<glm::vec3>& positions) {
+  const VertexPlacing placing(to_scene);
   positions.resize(primitive.vertices);
-  for (std::uint32_t i = 0; i < primitive.vertices; ++i)
-    positions[i] = hierarchy::place(to_scene, primitive.position(i));
+  for (std::uint32_t i = 0; i < primitive.vertices; ++i) {
+    const hierarchy::Float4 p = placing.place(primitive, i);
+    positions[i] = {p[0], p[1], p[2]};
+  }
   for (std::size_t i = 0; i < primitive.triangles; ++i) {
     const auto [a, b, c] = primitive.corners(i);
     if (!hierarchy::is_shown(positions[a], positions[b], positions[c])) return false;
@@ -92,9 +96,10 @@ bool shows_all(const MappedPrimitive& primitive, const glm::dmat4& to_scene,
 }
 
 // Returns a mesh that is read in place as a whole.
-std::optional<Converted> map_mesh(const MeshSource& meshes, const PlacedMesh& placed) {
+std::optional<Converted> map_mesh(const MeshSource& meshes, const PlacedMesh& placed,
+                                  VertexCheck vertices) {
   if (!meshes.map) return std::nullopt;
-  auto mapped = meshes.map(placed.mesh);
+  auto mapped = meshes.map(placed.mesh, vertices);
   if (!mapped) return std::nullopt;
   // A copy that is stored takes less memory than the note where a smaller one lies.
   constexpr std::uint32_t min_triangles_of_a_copy = 8;
@@ -104,16 +109,17 @@ std::optional<Converted> map_mesh(const MeshSource& meshes, const PlacedMesh& pl
       return std::nullopt;
   for (const auto& primitive : *mapped)
     for (const Placement& at : placed.placements)
-      if (!shows_all(*primitive, at.to_scene, positions)) return std::nullopt;
+      if (vertices == VertexCheck::now && !shows_all(*primitive, at.to_scene, positions))
+        return std::nullopt;
   Converted result;
   result.mapped = std::move(*mapped);
   return result;
 }
 
 Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
-                       std::span<const std::uint32_t> light_numbers) {
+                       std::span<const std::uint32_t> light_numbers, VertexCheck vertices) {
   if (light_numbers.empty())
-    if (auto mapped = map_mesh(meshes, placed)) return std::move(*mapped);
+    if (auto mapped = map_mesh(meshes, placed, vertices)) return std::move(*mapped);
   const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1;
   Converted result;
   const auto mesh = meshes.read(placed.mesh, &result.mapped);
@@ -177,14 +183,15 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
 
 std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers, TriangleList& out) {
-  const Converted converted = convert_mesh(meshes, {mesh, {{to_scene}}}, light_numbers);
+  const Converted converted =
+      convert_mesh(meshes, {mesh, {{to_scene}}}, light_numbers, VertexCheck::now);
   converted.append_to(out, {{to_scene}});
   return converted.dropped;
 }
 
 std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
                           std::span<const std::uint32_t> light_numbers, unsigned threads,
-                          TriangleList& out) {
+                          TriangleList& out, VertexCheck vertices) {
   std::size_t all = out.size();
   for (const PlacedMesh& m : placed) all += meshes.triangles.at(m.mesh) * m.placements.size();
   check_triangle_count(all);
@@ -192,7 +199,7 @@ std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSourc
   std::vector<std::optional<Converted>> waiting(placed.size());
   std::size_t next = 0, dropped = 0;
   run_parallel(placed.size(), meshes.in_parallel ? threads : 1, [&](std::size_t i) {
-    Converted converted = convert_mesh(meshes, placed[i], light_numbers);
+    Converted converted = convert_mesh(meshes, placed[i], light_numbers, vertices);
     const std::lock_guard lock(appending);
     waiting[i] = std::move(converted);
     for (; next < waiting.size() && waiting[next]; ++next) {

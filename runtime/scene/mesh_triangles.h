@@ -22,9 +22,9 @@ struct MeshSource {
   /// `mapped`, where it is not null, gets where the mesh's primitives lie in the file, or stays
   /// empty.
   std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh, MappedMesh* mapped)> read;
-  /// Returns where all primitives of a mesh lie in the file, checked as `read` does, nothing where
-  /// it must be called. It may be absent.
-  std::function<std::optional<MappedMesh>(std::uint32_t mesh)> map{};
+  /// Returns where all primitives of a mesh lie in the file, checked as `read` does but for vertices
+  /// that are to be looked at later, nothing where `read` must be called. It may be absent.
+  std::function<std::optional<MappedMesh>(std::uint32_t mesh, VertexCheck vertices)> map{};
   /// Called when every mesh has been read, as often as it is needed: `read` is not called again.
   std::function<void()> close;
   bool in_parallel = false;  // `read` and `map` may be called by several threads at the same time
@@ -65,9 +65,10 @@ struct PlacedMesh {
 };
 
 /// Appends the triangles of `placed` in its order, and returns the number of those without area.
+/// Where vertices are looked at later, some that are not shown may be among those that are mapped.
 /// Each mesh is read by one of the threads. Throws Error if the scene cannot have as many.
 std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
                           std::span<const std::uint32_t> light_numbers, unsigned threads,
-                          TriangleList& out);
+                          TriangleList& out, VertexCheck vertices = VertexCheck::now);
 
 }  // namespace nightcity::scene

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 #include <glm/common.hpp>
+#include <optional>
 #include <system_error>
 
 #include "formats/cancel.h"
@@ -119,7 +120,7 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights, const Part
   const MeshSource meshes = meshes_of(scene);
   set_origin(out, find_local_origin(scene, meshes, out.lights));
   add_bodies(out, scene, meshes, left_out);
-  add_geometry(out, scene, meshes, {left_out, numbers}, count_cores());
+  add_geometry(out, scene, meshes, {left_out, numbers}, VertexCheck::now, count_cores());
   leave_out_of_materials(out, left_out);
   return out;
 }
@@ -226,8 +227,11 @@ LoadedLights load_lights(const std::filesystem::path& glb) {
 
 }  // namespace
 
-RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out,
-                              const TakeTraits& take_traits) {
+namespace {
+
+// As load_render_scene; nothing where vertices must not be looked at later (add_geometry).
+std::optional<RenderScene> try_load(const std::filesystem::path& glb, const PartSet& left_out,
+                                    const TakeTraits& take_traits, VertexCheck vertices) {
   RenderScene out;
   std::future<LoadedLights> loading =
       std::async(std::launch::async, [&, token = find_cancel_token()] {
@@ -248,21 +252,25 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   meshes.read = [&file](std::uint32_t mesh, MappedMesh* mapped) {
     return std::make_shared<const SceneMesh>(file.read_mesh(mesh, mapped));
   };
-  meshes.map = [&file](std::uint32_t mesh) { return file.map_mesh(mesh); };
+  meshes.map = [&file](std::uint32_t mesh, VertexCheck check) {
+    return file.map_mesh(mesh, check);
+  };
   meshes.close = [&] { out.triangles.keep(file.close()); };
   meshes.in_parallel = file.reads_in_parallel();
   meshes.hierarchies = file.hierarchies();
-  for (std::size_t i = 0; i < file.mesh_count(); ++i) {
-    meshes.triangles.push_back(file.count_triangles(i));
-    Box& bounds = meshes.bounds.emplace_back();
-    if (const auto box = file.find_bounds(i)) bounds = {(*box)[0], (*box)[1]};
-  }
+  meshes.triangles.resize(file.mesh_count());
+  meshes.bounds.resize(file.mesh_count());
+  run_parallel(file.mesh_count(), count_cores(), [&](std::size_t i) {
+    meshes.triangles[i] = file.count_triangles(i);
+    if (const auto box = file.find_bounds(i)) meshes.bounds[i] = {(*box)[0], (*box)[1]};
+  });
   out.georeference = file.scene().georeference;
   out.places = file.scene().places;
   set_origin(out, find_local_origin(file.scene(), meshes, out.lights));
   throw_if_cancelled();
   add_bodies(out, file.scene(), meshes, left_out);
-  add_geometry(out, file.scene(), meshes, {left_out, numbers}, count_cores());
+  if (!add_geometry(out, file.scene(), meshes, {left_out, numbers}, vertices, count_cores()))
+    return std::nullopt;
   Scene scene = file.finish();
   add_materials(out, scene);
   count_materials(out, out.parts);
@@ -270,6 +278,16 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   out.skipped = scene.skipped;
   out.features = std::move(scene.features);
   return out;
+}
+
+}  // namespace
+
+RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out,
+                              const TakeTraits& take_traits) {
+  if (auto scene = try_load(glb, left_out, take_traits, VertexCheck::later))
+    return std::move(*scene);
+  // The first try has told the traits.
+  return std::move(try_load(glb, left_out, {}, VertexCheck::now).value());
 }
 
 }  // namespace nightcity::scene

@@ -90,46 +90,6 @@ void reserve_memory(RenderScene& out, const Scene& scene, const MeshSource& mesh
   out.instances.reserve(instances);
 }
 
-// The triangles of a scene's meshes, as they are stored.
-struct StoredMeshes {
-  // Everything that does not move and is stored where it stands: what casts shadows, and the rest.
-  std::array<TriangleRange, 2> merged;
-  std::array<std::vector<std::uint32_t>, 2> merged_nodes;  // of the file
-  std::vector<std::optional<TriangleRange>> instanced;     // of each mesh
-};
-
-StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSource& meshes,
-                             const GeometryFilter& filter, MeshPlacement& placement,
-                             unsigned threads) {
-  StoredMeshes stored;
-  for (const bool shadow : {true, false}) {
-    std::vector<PlacedMesh> merged;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-      if (placement.is_skipped(i) || !placement.is_merged(i) || placement.casts_shadow(i) != shadow)
-        continue;
-      PlacedMesh placed{scene.nodes[i].mesh, placement.find_placements(i)};
-      if (placed.placements.empty()) continue;
-      merged.push_back(std::move(placed));
-      stored.merged_nodes[shadow ? 0 : 1].push_back(scene.nodes[i].number);
-    }
-    const std::size_t first = out.triangles.size();
-    out.dropped_triangles +=
-        append_meshes(merged, meshes, filter.light_numbers, threads, out.triangles);
-    stored.merged[shadow ? 0 : 1] = {first, out.triangles.size()};
-  }
-  stored.instanced.resize(meshes.triangles.size());
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const std::uint32_t mesh = scene.nodes[i].mesh;
-    if (placement.is_skipped(i) || placement.is_merged(i) || stored.instanced.at(mesh)) continue;
-    const glm::dmat4 to_unit = glm::scale(glm::dmat4(1), glm::dvec3(placement.unit(mesh)));
-    const std::size_t first = out.triangles.size();
-    out.dropped_triangles +=
-        append_mesh(meshes, mesh, to_unit, filter.light_numbers, out.triangles);
-    stored.instanced[mesh] = {first, out.triangles.size()};
-  }
-  return stored;
-}
-
 // Returns the file's hierarchy of these nodes, null where it has none. Boxes are stored in the
 // frame of model space.
 const StoredHierarchy* find_stored(RenderScene& out, const std::vector<StoredHierarchy>& all,
@@ -143,15 +103,74 @@ const StoredHierarchy* find_stored(RenderScene& out, const std::vector<StoredHie
   return nullptr;
 }
 
+// The triangles that stand where they are stored, and the file's hierarchy of them, or null.
+struct MergedMeshes {
+  TriangleRange range{};
+  const StoredHierarchy* hierarchy = nullptr;
+  VertexCheck vertices = VertexCheck::now;
+};
+
+// The triangles of a scene's meshes, as they are stored.
+struct StoredMeshes {
+  std::array<MergedMeshes, 2> merged;                   // those that cast shadows, and the others
+  std::vector<std::optional<TriangleRange>> instanced;  // of each mesh
+};
+
+MergedMeshes store_merged(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                          const GeometryFilter& filter, MeshPlacement& placement, bool shadow,
+                          VertexCheck vertices, unsigned threads) {
+  std::vector<PlacedMesh> placed;
+  std::vector<std::uint32_t> nodes;  // of the file
+  std::size_t triangles = 0;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (placement.is_skipped(i) || !placement.is_merged(i) || placement.casts_shadow(i) != shadow)
+      continue;
+    PlacedMesh one{scene.nodes[i].mesh, placement.find_placements(i)};
+    if (one.placements.empty()) continue;
+    triangles += meshes.triangles.at(one.mesh) * one.placements.size();
+    placed.push_back(std::move(one));
+    nodes.push_back(scene.nodes[i].number);
+  }
+  MergedMeshes merged;
+  merged.hierarchy = find_stored(out, meshes.hierarchies, shadow, nodes);
+  // One of fewer triangles was made where some were not shown, which have to be found first.
+  if (merged.hierarchy && merged.hierarchy->triangles == triangles) merged.vertices = vertices;
+  merged.range.first = out.triangles.size();
+  out.dropped_triangles +=
+      append_meshes(placed, meshes, filter.light_numbers, threads, out.triangles, merged.vertices);
+  merged.range.end = out.triangles.size();
+  return merged;
+}
+
+StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                             const GeometryFilter& filter, MeshPlacement& placement,
+                             VertexCheck vertices, unsigned threads) {
+  StoredMeshes stored;
+  for (const bool shadow : {true, false})
+    stored.merged[shadow ? 0 : 1] =
+        store_merged(out, scene, meshes, filter, placement, shadow, vertices, threads);
+  stored.instanced.resize(meshes.triangles.size());
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const std::uint32_t mesh = scene.nodes[i].mesh;
+    if (placement.is_skipped(i) || placement.is_merged(i) || stored.instanced.at(mesh)) continue;
+    const glm::dmat4 to_unit = glm::scale(glm::dmat4(1), glm::dvec3(placement.unit(mesh)));
+    const std::size_t first = out.triangles.size();
+    out.dropped_triangles +=
+        append_mesh(meshes, mesh, to_unit, filter.light_numbers, out.triangles);
+    stored.instanced[mesh] = {first, out.triangles.size()};
+  }
+  return stored;
+}
+
 // The frame of the boxes of everything that does not move: the file's, or else that of the walls.
 hierarchy::BoxFrame find_frame(const RenderScene& out, const Scene& scene, const MeshSource& meshes,
                                const StoredMeshes& stored, const MeshPlacement& placement) {
   hierarchy::BoxFrame frame;
   const auto& all = meshes.hierarchies;
-  frame.along =
-      out.origin == glm::dvec3(0) && !all.empty()
-          ? all.front().along
-          : find_wall_direction(out.triangles, stored.merged[0].first, stored.merged[0].end);
+  frame.along = out.origin == glm::dvec3(0) && !all.empty()
+                    ? all.front().along
+                    : find_wall_direction(out.triangles, stored.merged[0].range.first,
+                                          stored.merged[0].range.end);
   if (!frame.is_turned()) return frame;
   // A ray is turned with errors of 2^-22 of the coordinates on its way, and may come from as far
   // away as four times the scene's size. One thing astray would make all boxes wide.
@@ -163,8 +182,9 @@ hierarchy::BoxFrame find_frame(const RenderScene& out, const Scene& scene, const
 }
 
 // Builds a BLAS for each mesh that is instanced, and two for all others: a ray then crosses the
-// city without leaving and entering instances. And the TLAS over all of them.
-void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+// city without leaving and entering instances. And the TLAS over all of them. Returns false where
+// vertices that were to be looked at later must be looked at before.
+bool add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
                      const StoredMeshes& stored, MeshPlacement& placement, unsigned threads) {
   std::vector<Box> boxes;
   const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow,
@@ -183,11 +203,12 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
   const hierarchy::BoxFrame frame = find_frame(out, scene, meshes, stored, placement);
   out.boxes_along = frame.along;
   for (const bool shadow : {true, false}) {
-    const auto [root, box] = add_static_blas(
-        out, stored.merged[shadow ? 0 : 1], threads,
-        find_stored(out, meshes.hierarchies, shadow, stored.merged_nodes[shadow ? 0 : 1]), frame);
+    const MergedMeshes& merged = stored.merged[shadow ? 0 : 1];
+    const auto added =
+        add_static_blas(out, merged.range, merged.vertices, threads, merged.hierarchy, frame);
+    if (!added) return false;
     const std::size_t before = out.instances.size();
-    place(root, box, {glm::dmat4(1.0)}, shadow);
+    place(added->first, added->second, {glm::dmat4(1.0)}, shadow);
     if (frame.is_turned() && out.instances.size() > before)
       out.instances.back().mask |= MASK_TURNED;
   }
@@ -200,6 +221,7 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
       place(mesh->first, mesh->second, at, placement.casts_shadow(i), !is_horizon(scene.nodes[i]));
   }
   add_tlas(out, boxes, threads);
+  return true;
 }
 
 // Appends a box of twelve triangles that face outwards.
@@ -223,15 +245,17 @@ void append_box(const glm::vec3& lower, const glm::vec3& upper, TriangleList& ou
 
 }  // namespace
 
-void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
-                  const GeometryFilter& filter, unsigned threads) {
+bool add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                  const GeometryFilter& filter, VertexCheck vertices, unsigned threads) {
   MeshPlacement placement(scene, meshes, filter, out.origin, !out.traffic.trips.empty());
   reserve_memory(out, scene, meshes, placement);
-  const StoredMeshes stored = store_triangles(out, scene, meshes, filter, placement, threads);
+  const StoredMeshes stored =
+      store_triangles(out, scene, meshes, filter, placement, vertices, threads);
   if (meshes.close) meshes.close();
-  add_hierarchies(out, scene, meshes, stored, placement, threads);
+  if (!add_hierarchies(out, scene, meshes, stored, placement, threads)) return false;
   out.dropped_instances += placement.dropped();
   out.triangles.release_pages();
+  return true;
 }
 
 void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,

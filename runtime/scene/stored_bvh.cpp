@@ -55,6 +55,7 @@ class Measuring {
       if (before / resident_triangles != (before + count) / resident_triangles)
         triangles_.release_pages();
     });
+    if (hides_some_) return all_;
     Pass top{area_m2_, {}, 0};
     measure_top(0, 0, top);
     for (const Task& task : tasks_) {
@@ -64,6 +65,8 @@ class Measuring {
     return all_;
   }
   double area_m2() const { return area_m2_; }
+  /// Returns whether some triangle is not shown, so that nodes are not made.
+  bool hides_some() const { return hides_some_; }
 
  private:
   struct Task {
@@ -140,6 +143,7 @@ class Measuring {
   void measure(Task& task) {
     Pass pass{task.area_m2, std::vector<Bounds>(topology_.triangles[task.node]), task.position};
     measure_boxes(task.position, pass.boxes, task.all);
+    if (hides_some_) return;  // boxes may be infinite
     task.box = measure_below(task.node, task.position, pass);
   }
 
@@ -148,7 +152,10 @@ class Measuring {
   void measure_boxes(std::uint32_t position, std::span<Bounds> boxes, Bounds& all) {
     const std::span<std::uint32_t> numbers = order_.subspan(position, boxes.size());
     const TriangleParts::Found parts = parts_.replace(numbers);
-    triangles_.measure(numbers, frame_, boxes, all);
+    if (!triangles_.measure(numbers, frame_, boxes, all)) {
+      hides_some_ = true;
+      std::fill(boxes.begin(), boxes.end(), Bounds{});
+    }
     for (const auto& [at, box] : parts) boxes[at] = box;
   }
 
@@ -192,6 +199,7 @@ class Measuring {
   std::vector<Task> tasks_;
   Bounds all_;  // of the triangles, in their own frame
   double area_m2_ = 0;
+  std::atomic<bool> hides_some_ = false;
 };
 
 }  // namespace
@@ -231,7 +239,9 @@ std::string append_stored_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleLi
   const Box box = to_box(measuring.measure(threads));
   triangles.release_pages();
   std::string fault;
-  if (box.lower != stored.lower || box.upper != stored.upper)
+  if (measuring.hides_some())
+    fault = "some of its triangles are not shown";
+  else if (box.lower != stored.lower || box.upper != stored.upper)
     fault = "its triangles fill another box";
   else if (!(measuring.area_m2() <= max_area * stored.area_m2))
     fault = "its boxes are larger than they were";

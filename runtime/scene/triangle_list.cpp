@@ -1,7 +1,6 @@
 #include "runtime/scene/triangle_list.h"
 
 #include <algorithm>
-#include <glm/ext/matrix_transform.hpp>
 
 namespace nightcity::scene {
 namespace {
@@ -40,7 +39,7 @@ void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, St
   constexpr std::size_t at_once = 64;
   struct Found {
     const Block* block;  // null: it is stored
-    std::array<std::uint32_t, 3> corners;
+    Vertices vertices;
     std::size_t place;
   };
   std::array<Found, at_once> found;
@@ -68,22 +67,23 @@ void TriangleList::visit(std::span<const std::uint32_t> numbers, Fetch fetch, St
       Found& f = found[k];
       if (!f.block) continue;
       const MappedPrimitive& primitive = *f.block->mapped;
-      f.corners = primitive.corners(f.place);
-      for (const std::uint32_t corner : f.corners)
-        __builtin_prefetch(primitive.position_place(corner));
-      fetch(primitive, f.corners[0]);
+      f.vertices = primitive.corners(f.place);
+      for (const std::uint32_t vertex : f.vertices)
+        __builtin_prefetch(primitive.position_place(vertex));
+      fetch(primitive, f.vertices[0]);
     }
     for (std::size_t k = 0; k < count; ++k) {
       if (found[k].block)
-        mapped(begin + k, *found[k].block, found[k].corners);
+        mapped(begin + k, *found[k].block, found[k].vertices);
       else
         stored(begin + k, stored_[found[k].place]);
     }
   }
 }
 
-void TriangleList::measure(std::span<const std::uint32_t> numbers, const hierarchy::BoxFrame& frame,
+bool TriangleList::measure(std::span<const std::uint32_t> numbers, const hierarchy::BoxFrame& frame,
                            std::span<hierarchy::Bounds> to, hierarchy::Bounds& all) const {
+  bool all_shown = true;
   const auto take = [&](std::size_t i, const hierarchy::Corners& corners) {
     to[i] = frame.bounds_of(corners);
     all.grow(frame.is_turned() ? corners.bounds() : to[i]);
@@ -91,9 +91,13 @@ void TriangleList::measure(std::span<const std::uint32_t> numbers, const hierarc
   visit(
       numbers, [](const MappedPrimitive&, std::uint32_t) {},
       [&](std::size_t i, const gpu::Triangle& triangle) { take(i, corners_of(triangle)); },
-      [&](std::size_t i, const Block& block, const std::array<std::uint32_t, 3>& corners) {
-        take(i, block.corners(corners));
+      [&](std::size_t i, const Block& block, const Vertices& vertices) {
+        const hierarchy::Corners corners = block.corners(vertices);
+        take(i, corners);
+        all_shown &=
+            block.mapped->has_vertices(numbers[i] - block.first) && hierarchy::is_shown(corners);
       });
+  return all_shown;
 }
 
 void TriangleList::gather(std::span<const std::uint32_t> numbers,
@@ -105,8 +109,18 @@ void TriangleList::gather(std::span<const std::uint32_t> numbers,
           if (ids.first) __builtin_prefetch(ids.first + vertex * ids.stride);
       },
       [&](std::size_t i, const gpu::Triangle& triangle) { to[i] = triangle; },
-      [&](std::size_t i, const Block& block, const std::array<std::uint32_t, 3>& corners) {
-        to[i] = block.make(corners);
+      [&](std::size_t i, const Block& block, const Vertices& vertices) {
+        to[i] = block.make(vertices);
+      });
+}
+
+void TriangleList::gather(std::span<const std::uint32_t> numbers,
+                          std::span<hierarchy::Corners> to) const {
+  visit(
+      numbers, [](const MappedPrimitive&, std::uint32_t) {},
+      [&](std::size_t i, const gpu::Triangle& triangle) { to[i] = corners_of(triangle); },
+      [&](std::size_t i, const Block& block, const Vertices& vertices) {
+        to[i] = block.corners(vertices);
       });
 }
 
@@ -143,12 +157,9 @@ void TriangleList::append(std::span<const gpu::Triangle> triangles,
 void TriangleList::append(std::shared_ptr<const MappedPrimitive> primitive,
                           const glm::dmat4& to_scene, std::uint32_t light, std::uint32_t feature) {
   if (blocks_.empty() && size_ > 0) append(Block{0, to_number(size_)});
-  const glm::vec3 shift(to_scene[3]);
-  const bool is_shifted = glm::translate(glm::dmat4(1), glm::dvec3(shift)) == to_scene;
   const std::size_t end = size_ + primitive->triangles;
   append(Block{to_number(size_), to_number(end), 0, light, feature, std::move(primitive),
-               is_shifted ? nullptr : std::make_shared<const glm::dmat4>(to_scene),
-               hierarchy::to_float4(shift)});
+               VertexPlacing(to_scene)});
   size_ = end;
 }
 

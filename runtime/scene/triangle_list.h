@@ -21,6 +21,7 @@
 #include "formats/large_vector.h"
 #include "formats/mapped_primitive.h"
 #include "formats/scene_bytes.h"
+#include "runtime/scene/vertex_placing.h"
 #include "shaders/bvh_types.h"
 #include "shaders/scene_types.h"
 
@@ -45,12 +46,15 @@ class TriangleList {
   Iterator begin() const;
   Iterator end() const;
   /// Measures the boxes of these triangles in a frame, without its margin: `to` has as many. `all`
-  /// grows by the triangles in their own frame.
-  void measure(std::span<const std::uint32_t> numbers, const hierarchy::BoxFrame& frame,
+  /// grows by the triangles in their own frame. Returns whether all that are mapped are shown: the others
+  /// were looked at before they were stored.
+  bool measure(std::span<const std::uint32_t> numbers, const hierarchy::BoxFrame& frame,
                std::span<hierarchy::Bounds> to, hierarchy::Bounds& all) const;
   /// Copies these triangles, of which `to` has as many. It is faster than one by one, where they lie
   /// anywhere.
   void gather(std::span<const std::uint32_t> numbers, std::span<gpu::Triangle> to) const;
+  /// Copies their corners alone.
+  void gather(std::span<const std::uint32_t> numbers, std::span<hierarchy::Corners> to) const;
   /// Returns whether some triangle has texture coordinates.
   bool has_texture_corners() const { return !corners_.empty(); }
   /// Returns the texture coordinates of a triangle, without_texture where it has none.
@@ -89,6 +93,7 @@ class TriangleList {
   }
 
  private:
+  using Vertices = std::array<std::uint32_t, 3>;
   static glm::vec3 to_vec3(hierarchy::Float4 p) { return {p[0], p[1], p[2]}; }
   static hierarchy::Corners corners_of(const gpu::Triangle& t) {
     return {hierarchy::to_float4(t.v0), hierarchy::to_float4(t.v1), hierarchy::to_float4(t.v2)};
@@ -99,27 +104,21 @@ class TriangleList {
     std::uint32_t stored = 0;                        // the first one's place, where they are stored
     std::uint32_t light = NO_HIT, feature = NO_HIT;  // of the whole block
     std::shared_ptr<const MappedPrimitive> mapped{};  // null: they are stored
-    std::shared_ptr<const glm::dmat4> to_scene{};     // null: `shift` alone
-    hierarchy::Float4 shift{};
+    VertexPlacing placing{};
 
     // Returns triangle `i` of a mapped block.
     gpu::Triangle make(std::size_t i) const { return make(mapped->corners(i)); }
     hierarchy::Corners corners(std::size_t i) const { return corners(mapped->corners(i)); }
     // The same by its vertices.
-    gpu::Triangle make(const std::array<std::uint32_t, 3>& at) const {
+    gpu::Triangle make(const Vertices& at) const {
       return {to_vec3(place(at[0])), mapped->material,
               to_vec3(place(at[1])), feature != NO_HIT ? feature : mapped->feature(at[0]),
               to_vec3(place(at[2])), light != NO_HIT ? light : mapped->light(at[0])};
     }
-    hierarchy::Corners corners(const std::array<std::uint32_t, 3>& at) const {
+    hierarchy::Corners corners(const Vertices& at) const {
       return {place(at[0]), place(at[1]), place(at[2])};
     }
-    // A sum of two floats that is made of doubles and rounded is the one that is made of floats,
-    // because a double has more than twice as many digits (Figueroa, SIGNUM Newsletter 1995).
-    hierarchy::Float4 place(std::uint32_t vertex) const {
-      return to_scene ? hierarchy::to_float4(hierarchy::place(*to_scene, mapped->position(vertex)))
-                      : hierarchy::load_vec3(mapped->position_place(vertex)) + shift;
-    }
+    hierarchy::Float4 place(std::uint32_t vertex) const { return placing.place(*mapped, vertex); }
   };
   static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_
 

@@ -1,6 +1,7 @@
 #include "runtime/scene/triangle_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "formats/parallel.h"
@@ -45,14 +46,13 @@ std::string TriangleParts::measure(std::span<const Cut> cuts, const TriangleList
   parts_.resize(2 * cuts.size());
   const Ranks ranks = rank_cuts(cuts, count);
   std::atomic<bool> misses = false;
-  const auto make = [&](const Cut& cut, hierarchy::TrianglePiece* to) {
-    const bool is_whole = cut.part < count;
-    const std::uint32_t triangle =
-        is_whole ? static_cast<std::uint32_t>(first) + cut.part : parts_[cut.part - count].first();
-    Corners corners;
-    triangles.copy_corners(triangle, std::span(&corners, 1));
-    corners = frame.turn(corners);
-    const Bounds box = is_whole ? corners.bounds() : parts_[cut.part - count].bounds();
+  const auto find_triangle = [&](const Cut& cut) {
+    return cut.part < count ? static_cast<std::uint32_t>(first) + cut.part
+                            : parts_[cut.part - count].first();
+  };
+  const auto make = [&](const Cut& cut, std::uint32_t triangle, const Corners& corners,
+                        hierarchy::TrianglePiece* to) {
+    const Bounds box = cut.part < count ? corners.bounds() : parts_[cut.part - count].bounds();
     const auto halves = hierarchy::cut_box(corners, box, static_cast<int>(cut.axis), cut.plane_m);
     if (!halves) misses = true;
     to[0] = {halves ? halves->first : box, triangle, 1};
@@ -63,10 +63,13 @@ std::string TriangleParts::measure(std::span<const Cut> cuts, const TriangleList
   for (const std::size_t end : ranks.ends) {
     run_parallel((end - begin + piece - 1) / piece, threads, [&](std::size_t i) {
       const std::size_t from = begin + i * piece;
-      for (std::size_t at = from; at < std::min(from + piece, end); ++at) {
-        const std::uint32_t k = ranks.cuts[at];
-        make(cuts[k], &parts_[2 * std::size_t{k}]);
-      }
+      const std::span<const std::uint32_t> some(&ranks.cuts[from], std::min(piece, end - from));
+      std::array<std::uint32_t, piece> numbers;
+      std::array<Corners, piece> corners;
+      for (std::size_t k = 0; k < some.size(); ++k) numbers[k] = find_triangle(cuts[some[k]]);
+      triangles.gather(std::span(numbers).first(some.size()), corners);
+      for (std::size_t k = 0; k < some.size(); ++k)
+        make(cuts[some[k]], numbers[k], frame.turn(corners[k]), &parts_[2 * std::size_t{some[k]}]);
     });
     begin = end;
   }

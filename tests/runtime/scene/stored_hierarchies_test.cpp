@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -29,12 +31,12 @@ namespace fs = std::filesystem;
 // stored; and trees. One triangle has no area. `draco` stores other triangles in another order. The
 // walls of the town are at `angle_deg` to its axes.
 void write_town(const fs::path& glb, bool draco = false, const glm::vec3& place = {120, 3, -70},
-                float angle_deg = 0) {
+                float angle_deg = 0, bool with_flat = true) {
   SceneWriter writer(glb, {draco, 0.01});
   writer.add_material({.name = "wall"});
   SceneMesh town{"town", turned(random_town(60, 50, 3), angle_deg).scene().meshes[0].primitives};
   std::vector<std::uint32_t>& indices = town.primitives[0].indices;
-  indices.insert(indices.end(), {0, 0, 1});
+  if (with_flat) indices.insert(indices.end(), {0, 0, 1});
   const SceneMesh post{"post",
                        SceneBuilder().box({-1, 0, -1}, {1, 4, 1}).scene().meshes[0].primitives};
   SceneInstance here, there;
@@ -310,6 +312,73 @@ TEST(StoredHierarchies, ThatAreDescribedWronglyAreBuiltAndSaid) {
       cut["extensions"]["NIGHTCITY_hierarchy"]["hierarchies"][0]["order"].get<std::size_t>();
   cut["bufferViews"][view]["byteLength"] = 1u << 30;
   EXPECT_TRUE(is_said(load(cut), "NIGHTCITY_hierarchy"));
+}
+
+// What a user gets: the triangles and what is said of the scene, or the error.
+std::string describe(const fs::path& file) {
+  try {
+    const scene::RenderScene scene = scene::load_render_scene(file);
+    std::string text = std::to_string(scene.triangles.size()) + " triangles";
+    for (const std::string& sentence : describe_left_out(scene))
+      if (sentence.find("hierarchy") == std::string::npos) text += "; " + sentence;
+    return text;
+  } catch (const Error& error) {
+    return std::string(error.what()).substr(file.string().size());
+  }
+}
+
+// Returns where the binary chunk of a .glb begins, behind its JSON.
+std::size_t find_binary(const std::string& glb) {
+  std::uint32_t json_bytes;
+  std::memcpy(&json_bytes, glb.data() + 12, sizeof json_bytes);
+  return 20 + json_bytes + 8;
+}
+
+// Triangles of a file with hierarchies are looked at while these are measured, and not before. What
+// is wrong with one must be told all the same, as if there were no hierarchies.
+TEST(StoredHierarchies, HideNoFaultOfTheirTriangles) {
+  const TempFolder folder;
+  const fs::path plain = folder / "plain.glb", stored = folder / "stored.glb", a = folder / "a.glb",
+                 b = folder / "b.glb";
+  write_town(plain, false, {120, 3, -70}, 0, false);
+  fs::copy_file(plain, stored);
+  store(stored);
+  EXPECT_EQ(scene::load_render_scene(stored).stored_hierarchies, 2u);
+  const json document = as_gltf(stored);
+  const json& primitive = document["meshes"][0]["primitives"][0];
+  const auto place_of = [&](const json& accessor) {
+    return document["bufferViews"][document["accessors"][accessor.get<std::size_t>()]["bufferView"]
+                                       .get<std::size_t>()]
+        .value("byteOffset", std::size_t{0});
+  };
+  const std::size_t position = place_of(primitive["attributes"]["POSITION"]),
+                    index = place_of(primitive["indices"]);
+  const auto expect_told = [&](std::size_t place, const auto& value, const std::string& words) {
+    for (const auto& [from, to] : {std::pair(plain, a), std::pair(stored, b)}) {
+      std::string bytes = read_text(from);
+      std::memcpy(bytes.data() + find_binary(bytes) + place, &value, sizeof value);
+      write_text(to, bytes);
+    }
+    const std::string told = describe(b);
+    EXPECT_EQ(told, describe(a));
+    EXPECT_NE(told.find(words), std::string::npos) << told;
+  };
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  expect_told(position + 12 * 7, std::numeric_limits<float>::quiet_NaN(), "is not finite");
+  expect_told(position + 12 * 7, infinite, "is not finite");
+  expect_told(position + 12 * 7, 1e16f, "left out, without area or beyond");
+  expect_told(index + 2 * 9, std::uint16_t{0xFFFF}, "index 65535");
+  const std::string bytes = read_text(plain);
+  std::uint16_t second;
+  std::memcpy(&second, bytes.data() + find_binary(bytes) + index + 2, sizeof second);
+  expect_told(index, second, "2 triangles are left out, without area");  // the town stands twice
+  std::mt19937 random(8);
+  for (int i = 0; i < 40; ++i) {
+    const float value =
+        std::array{0.0f, 1e16f, -3e38f, infinite, 1e-30f, std::nanf("")}[random() % 6];
+    expect_told(position + 4 * (random() % 1000), value, "");
+    expect_told(index + 2 * (random() % 500), static_cast<std::uint16_t>(random()), "");
+  }
 }
 
 }  // namespace
