@@ -91,6 +91,12 @@ Document make_document(const std::string& name, bool packed,
   return {name, packed, [open] { return to_utf8(open()); }, open};
 }
 
+// Returns ".pdf" of "docs/a.pdf"; the name of a file without an ending.
+std::string ending_of(const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.has_extension() ? path.extension().string() : path.filename().string();
+}
+
 FileContents list_archive(const std::string& path, std::span<const std::string_view> endings) {
   FileContents contents;
   std::string first_entry, first_raster;
@@ -104,7 +110,10 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
     const bool is_wanted = ends_with_any(lower.substr(0, lower.size() - gzip), endings);
     if (!is_wanted && ends_with_any(lower, packed_endings))
       contents.packed_entries.push_back(inside);
-    if (!is_wanted) continue;
+    if (!is_wanted) {
+      ++contents.others[ending_of(lower)];
+      continue;
+    }
     const std::string name = path + "/" + inside.substr(0, inside.size() - gzip);
     contents.documents.push_back(make_document(name, true, [=]() -> std::unique_ptr<ByteSource> {
       auto source = entry.open(name);
@@ -155,8 +164,10 @@ FileContents list_contents(const std::filesystem::path& file,
   if (mark.empty()) throw Error(path, "is empty");
   if (mark == zip_mark) return list_archive(path, endings);
   if (mark.starts_with("\x1f\x8b"))
-    return {{make_document(path, true, [=] { return std::make_unique<GzipSource>(path); })}, {}};
-  return {{make_document(path, false, [=] { return std::make_unique<PlainSource>(path); })}, {}};
+    return {
+        {make_document(path, true, [=] { return std::make_unique<GzipSource>(path); })}, {}, {}};
+  return {
+      {make_document(path, false, [=] { return std::make_unique<PlainSource>(path); })}, {}, {}};
 }
 
 std::vector<Document> list_documents(const std::filesystem::path& file,

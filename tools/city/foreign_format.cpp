@@ -50,6 +50,8 @@ struct Mark {
 constexpr std::array binary_marks{
     Mark{"BZh"sv,
          {"is compressed by bzip2, which is read for OSM alone", "unpack it first (bunzip2)"}},
+    Mark{"MZ"sv,
+         {"is a program of Windows", "if it is an archive that unpacks itself, unpack it first"}},
     Mark{"PK\x05\x06"sv, {"is a zip archive without files"}},
     Mark{"PK\x07\x08"sv,
          {"is a part of a zip archive in several volumes", "join and unpack it first"}},
@@ -217,6 +219,14 @@ std::optional<Foreign> find_packed(std::string_view bytes, std::string_view name
   return {};
 }
 
+// Tar archives that are packed once more show only the outer packing.
+bool is_packed_tar(std::string_view name) {
+  constexpr std::array<std::string_view, 7> endings{".tar.bz2", ".tbz2",    ".tbz", ".tar.xz",
+                                                    ".txz",     ".tar.zst", ".tzst"};
+  return std::any_of(endings.begin(), endings.end(),
+                     [name](std::string_view ending) { return name.ends_with(ending); });
+}
+
 // Returns the words for what a file is; without the remedy where this ends in a model and none is
 // wanted.
 std::string explain(std::string_view bytes, std::string_view name, bool wants_model) {
@@ -224,6 +234,8 @@ std::string explain(std::string_view bytes, std::string_view name, bool wants_mo
     if (!wants_model && foreign.leads == leads_to_model) foreign.remedy = {};
     return join_words(foreign);
   };
+  if (is_packed_tar(name))
+    return "is a tar archive: unpack it first (tar -xf) and name the files in it";
   for (const Mark& mark : binary_marks)
     if (bytes.starts_with(mark.bytes)) return to_words(mark.is);
   if (const std::string_view packed = describe_packed(bytes); !packed.empty())
