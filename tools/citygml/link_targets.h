@@ -1,4 +1,4 @@
-// What the members of a document link to without holding it, fetched from wherever it stands.
+// Fetches the targets of links of a document from wherever they stand.
 #pragma once
 
 #include <cstdint>

@@ -161,5 +161,23 @@ TEST_F(NestedArchive, OtherKindsOfArchivesAreToldInFoldersToo) {
   EXPECT_EQ(city_files(folder_.path()), std::vector<fs::path>{folder_ / "a.gml"});
 }
 
+TEST_F(NestedArchive, ModelsOfOtherProgramsAreNamedWithTheRemedy) {
+  const auto message = [&](const std::string& name, const std::string& bytes) {
+    test::write_text(folder_ / name, bytes);
+    return message_of([&] { find_format(folder_ / name); });
+  };
+  EXPECT_NE(message("a.skp", "\xFF\xFE\xFF\x0E").find("export it as Wavefront OBJ"),
+            std::string::npos);
+  EXPECT_NE(message("a.wrl", "#VRML V2.0 utf8\n").find("is VRML: export it"), std::string::npos);
+  EXPECT_NE(message_of([&] {
+              find_format(write({{"a.ifc", "ISO-10303-21;\n"}}));
+            }).find("but a.ifc, which is IFC or another STEP file: export it"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              find_format(write({{"3dSceneLayer.json", "{\"layerType\":\"3DObject\"}"}}));
+            }).find("is a scene layer of I3S: the CityGML"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace nightcity::inputs

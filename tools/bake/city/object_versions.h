@@ -16,7 +16,7 @@
 
 namespace nightcity::bake {
 
-/// What tells an object from others, and one of its versions from another.
+/// The marks that tell an object from others, and one of its versions from another.
 struct ObjectVersion {
   std::uint64_t id = 0;        // of its id
   std::uint64_t identity = 0;  // of its id and first vertex
