@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/light_file_edit.h"
 #include "tools/bake/city/building_uses.h"
+#include "tools/bake/city/object_versions.h"
 #include "tools/bake/city/obstacles.h"
 #include "tools/bake/city/ready_object.h"
 #include "tools/bake/city/road_consumer.h"
@@ -267,7 +268,7 @@ BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
   own.tiles.picture_budget =
       std::make_shared<PictureBudget>(std::uint64_t{1'000'000} * own.city.max_picture_mpx);
   own.city.picture_budget = own.tiles.picture_budget;
-  return Bake(own, folder, progress).run();
+  return use_best_levels(own.city, [&] { return Bake(own, folder, progress).run(); });
 }
 
 BakeOptions make_bake_options(const Recipe& recipe) {

@@ -18,16 +18,8 @@ void append(std::string& field, std::string_view value) {
 
 void set_height(CityObject& object, std::string_view value, std::string_view unit) {
   constexpr double max_height_m = 5000;
-  auto height = parse_measure(value);
-  // "9.5 m": a unit in the text is as good as one beside it.
-  const std::size_t blank = value.find_last_of(' ');
-  if (!height && blank != value.npos && find_metres_per(value.substr(blank + 1))) {
-    height = parse_measure(value.substr(0, blank));
-    unit = value.substr(blank + 1);
-  }
-  if (!height || is_sentinel(*height)) return;
-  const double metres = *height * find_metres_per(unit).value_or(1);
-  if (metres > 0 && metres < max_height_m) object.measured_height_m = metres;
+  const auto metres = parse_length_m(value, unit);
+  if (metres && *metres > 0 && *metres < max_height_m) object.measured_height_m = metres;
 }
 
 void set_storeys(CityObject& object, std::string_view value) {
@@ -73,6 +65,19 @@ std::optional<double> parse_measure(std::string_view text) {
   std::string pointed(text);
   pointed[comma] = '.';
   return parse_number(pointed);
+}
+
+std::optional<double> parse_length_m(std::string_view value, std::string_view unit) {
+  value = trim(value);
+  auto length = parse_measure(value);
+  // "9.5 m": a unit in the text is as good as one beside it.
+  const std::size_t blank = value.find_last_of(' ');
+  if (!length && blank != value.npos && find_metres_per(value.substr(blank + 1))) {
+    length = parse_measure(value.substr(0, blank));
+    unit = value.substr(blank + 1);
+  }
+  if (!length || is_sentinel(*length)) return {};
+  return *length * find_metres_per(unit).value_or(1);
 }
 
 bool is_sentinel(double value) {

@@ -19,6 +19,10 @@ std::optional<double> parse_number(std::string_view text);
 /// The same of a text that may have a decimal comma, as some producers write attributes.
 std::optional<double> parse_measure(std::string_view text);
 
+/// Returns a length in m: a number, maybe with a decimal comma, and its unit beside it or behind it
+/// ("9,5 m"). `unit`: beside it; one that is unknown stands for metres. None for sentinels.
+std::optional<double> parse_length_m(std::string_view value, std::string_view unit);
+
 /// Returns whether `value` is one that producers write where they mean "not known": 9999, 99999,
 /// 999 and their negatives.
 bool is_sentinel(double value);

@@ -18,6 +18,7 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/to_lower.h"
+#include "tools/city/foreign_format.h"
 #include "tools/city/inflate_source.h"
 #include "tools/city/text_encoding.h"
 #include "tools/city/unpacked_size.h"
@@ -91,10 +92,28 @@ Document make_document(const std::string& name, bool packed,
   return {name, packed, [open] { return to_utf8(open()); }, open};
 }
 
+// Returns ".pdf" of "docs/a.pdf"; the name of a file without an ending.
+std::string ending_of(const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.has_extension() ? path.extension().string() : path.filename().string();
+}
+
+// Returns what an entry that is of no use is instead, with the remedy; "" where it is not known.
+std::string explain_entry(const ZipEntry& entry, const std::string& path) {
+  constexpr std::size_t start_bytes = 4096;
+  try {
+    return explain_foreign(read_next(*entry.open(path + "/" + entry.inside), start_bytes),
+                           to_lower(entry.inside));
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 FileContents list_archive(const std::string& path, std::span<const std::string_view> endings) {
   FileContents contents;
   std::string first_entry, first_raster;
-  for (const ZipEntry& entry : list_zip_entries(path)) {
+  const std::vector<ZipEntry> entries = list_zip_entries(path);
+  for (const ZipEntry& entry : entries) {
     const std::string& inside = entry.inside;
     const std::string lower = to_lower(inside);
     if (first_entry.empty()) first_entry = inside;
@@ -104,7 +123,10 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
     const bool is_wanted = ends_with_any(lower.substr(0, lower.size() - gzip), endings);
     if (!is_wanted && ends_with_any(lower, packed_endings))
       contents.packed_entries.push_back(inside);
-    if (!is_wanted) continue;
+    if (!is_wanted) {
+      ++contents.others[ending_of(lower)];
+      continue;
+    }
     const std::string name = path + "/" + inside.substr(0, inside.size() - gzip);
     contents.documents.push_back(make_document(name, true, [=]() -> std::unique_ptr<ByteSource> {
       auto source = entry.open(name);
@@ -122,7 +144,10 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
         path, "holds another packed file (" + contents.packed_entries.front() + ")" + remedy);
   if (to_lower(first_entry).ends_with(".kml"))
     throw NothingInside(path, "holds KML (" + first_entry + "): export the model as CityGML first");
-  throw NothingInside(path, none + (first_entry.empty() ? "" : ", but " + first_entry + remedy));
+  if (first_entry.empty()) throw NothingInside(path, none);
+  const std::string words = explain_entry(entries.front(), path);
+  throw NothingInside(
+      path, none + ", but " + first_entry + (words.empty() ? remedy : ", which " + words));
 }
 
 std::string read_mark(const std::string& path) {
@@ -155,8 +180,10 @@ FileContents list_contents(const std::filesystem::path& file,
   if (mark.empty()) throw Error(path, "is empty");
   if (mark == zip_mark) return list_archive(path, endings);
   if (mark.starts_with("\x1f\x8b"))
-    return {{make_document(path, true, [=] { return std::make_unique<GzipSource>(path); })}, {}};
-  return {{make_document(path, false, [=] { return std::make_unique<PlainSource>(path); })}, {}};
+    return {
+        {make_document(path, true, [=] { return std::make_unique<GzipSource>(path); })}, {}, {}};
+  return {
+      {make_document(path, false, [=] { return std::make_unique<PlainSource>(path); })}, {}, {}};
 }
 
 std::vector<Document> list_documents(const std::filesystem::path& file,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -47,6 +48,8 @@ struct FileContents {
   // Names of an archive's entries that are packed themselves, by their endings, and so are no
   // documents.
   std::vector<std::string> packed_entries;
+  /// An archive's entries that are no documents, counted by how their names end (".pdf").
+  std::map<std::string, std::size_t> others;
 };
 
 /// Thrown for an archive that is sound, but holds no entry of the endings that were asked for.

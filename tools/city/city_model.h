@@ -105,9 +105,11 @@ struct CityObject {
   std::optional<double> measured_height_m;                     // absent for 9999 and the like
   std::optional<int> storeys_above_ground;
   std::vector<double> storey_heights_m;
-  int lod = -1;                // level of detail; -1 = the file does not say
-  bool of_map = false;         // a building of OpenStreetMap, and not of a city model
-  bool continues = false;      // a further piece of the object before it, under its id
+  int lod = -1;            // level of detail; -1 = the file does not say
+  bool of_map = false;     // a building of OpenStreetMap, and not of a city model
+  bool continues = false;  // a further piece of the object before it, under its id
+  /// Ids of objects in other documents that it links to as its parts, and now holds.
+  std::vector<std::string> joined_ids;
   std::optional<Plant> plant;  // of vegetation
   std::vector<Polygon> polygons;
   /// Mass points of a relief, whose surface goes through them; of a plant, where it stands.
@@ -119,8 +121,8 @@ struct CityObject {
   template <class Archive>
   void visit(Archive& archive) {
     archive(id, type, class_name, function, usage, building_class, address, year, measured_height_m,
-            storeys_above_ground, storey_heights_m, lod, of_map, continues, plant, polygons, points,
-            lines);
+            storeys_above_ground, storey_heights_m, lod, of_map, continues, joined_ids, plant,
+            polygons, points, lines);
   }
 };
 

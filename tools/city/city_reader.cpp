@@ -44,6 +44,7 @@ void ReadReport::merge(const ReadReport& other) {
   if (needs_whole_file.empty()) needs_whole_file = other.needs_whole_file;
   for (const auto& [name, count] : other.skipped) skipped[name] += count;
   for (const auto& [name, count] : other.assumed) assumed[name] += count;
+  for (const auto& [name, count] : other.passed_over) passed_over[name] += count;
   warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
 }
 

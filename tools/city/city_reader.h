@@ -25,7 +25,9 @@ struct ReadReport {
   std::size_t objects = 0, polygons = 0;
   std::map<std::string, std::size_t> skipped;  // what, by name, and how often
   std::map<std::string, std::size_t> assumed;  // what the file does not say, and how often
-  std::vector<std::string> warnings;           // each names file and place
+  /// Files of an archive that are not read, by what they are or how their names end.
+  std::map<std::string, std::size_t> passed_over;
+  std::vector<std::string> warnings;  // each names file and place
   /// Buildings published as a footprint alone: made blocks of their height, and left flat for want
   /// of one.
   std::size_t extruded = 0, flat = 0;
@@ -37,7 +39,7 @@ struct ReadReport {
   /// Passes each field to an archive (tools/archive.h).
   template <class Archive>
   void visit(Archive& archive) {
-    archive(version, srs_name, objects, polygons, skipped, warnings, extruded, flat,
+    archive(version, srs_name, objects, polygons, skipped, passed_over, warnings, extruded, flat,
             needs_whole_file);
   }
 };

@@ -8,6 +8,7 @@
 
 #include "formats/packed_file.h"
 #include "formats/to_lower.h"
+#include "tools/city/foreign_names.h"
 #include "tools/city/zip_archive.h"
 
 namespace nightcity::city {
@@ -50,6 +51,8 @@ struct Mark {
 constexpr std::array binary_marks{
     Mark{"BZh"sv,
          {"is compressed by bzip2, which is read for OSM alone", "unpack it first (bunzip2)"}},
+    Mark{"MZ"sv,
+         {"is a program of Windows", "if it is an archive that unpacks itself, unpack it first"}},
     Mark{"PK\x05\x06"sv, {"is a zip archive without files"}},
     Mark{"PK\x07\x08"sv,
          {"is a part of a zip archive in several volumes", "join and unpack it first"}},
@@ -77,6 +80,7 @@ constexpr std::array binary_marks{
     Mark{"ply\n"sv, {"is PLY", as_obj, leads_to_model}},
     Mark{"ply\r"sv, {"is PLY", as_obj, leads_to_model}},
     Mark{"solid "sv, {"is STL", as_obj, leads_to_model}},
+    Mark{"#VRML"sv, {"is VRML", as_obj, leads_to_model}},
     Mark{"PXR-USDC"sv, {"is USD", as_obj, leads_to_model}},
     Mark{"#usda"sv, {"is USD", as_obj, leads_to_model}},
     Mark{"AC10"sv, {"is a drawing (DWG)", "export it as CityGML or Wavefront OBJ", leads_to_model}},
@@ -224,12 +228,16 @@ std::string explain(std::string_view bytes, std::string_view name, bool wants_mo
     if (!wants_model && foreign.leads == leads_to_model) foreign.remedy = {};
     return join_words(foreign);
   };
+  if (is_packed_tar(name))
+    return "is a tar archive: unpack it first (tar -xf) and name the files in it";
   for (const Mark& mark : binary_marks)
     if (bytes.starts_with(mark.bytes)) return to_words(mark.is);
   if (const std::string_view packed = describe_packed(bytes); !packed.empty())
     return std::string(packed);
   if (const auto packed = find_packed(bytes, name)) return to_words(*packed);
   if (name.ends_with(".gz") || name.ends_with(".tgz")) return {};
+  if (name.ends_with("3dscenelayer.json"))
+    return to_words({"is a scene layer of I3S", tile.remedy, leads_to_model});
   const std::string_view text = skip_blanks(bytes);
   if (text.starts_with('{') || text.starts_with('[')) {
     const auto json = find_json(text);
@@ -248,17 +256,6 @@ std::string explain(std::string_view bytes, std::string_view name, bool wants_mo
            "write <CityModel><cityObjectMember> before it";
   return "is XML of another kind: its root element is <" + std::string(written) + ">";
 }
-
-// Files without a mark at their beginning, by how their names end.
-struct NamedAs {
-  std::array<std::string_view, 6> endings;
-  std::string_view words;
-};
-constexpr std::array by_name{
-    NamedAs{{".asc", ".xyz", ".hgt", ".flt", ".bil", ".dem"},
-            "is named as a raster of heights: these belong in [terrain] dem"},
-    NamedAs{{".csv", ".tsv"},
-            "is named as a table: one of lamps belongs in [[lamps.inventories]]"}};
 
 }  // namespace
 
@@ -283,10 +280,7 @@ std::string_view find_root_name(std::string_view start) {
 std::string explain_foreign(std::string_view bytes, std::string_view name) {
   if (name.ends_with(".toml")) return "is named as a recipe: `nightbake run` reads it";
   if (std::string found = explain(bytes, name, true); !found.empty()) return found;
-  for (const auto& [endings, words] : by_name)
-    for (const std::string_view ending : endings)
-      if (!ending.empty() && name.ends_with(ending)) return std::string(words);
-  return {};
+  return std::string(explain_by_name(name));
 }
 
 std::string name_foreign(std::string_view bytes, std::string_view name) {

@@ -8,6 +8,7 @@
 
 #include "tools/city/end_date.h"
 #include "tools/city/extrude.h"
+#include "tools/city/ring.h"
 #include "tools/city/text_encoding.h"
 
 namespace nightcity::city {
@@ -192,10 +193,15 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
       kept = std::move(polygons[i]);
   }
   polygons.resize(count);
+  for (Polygon& polygon : polygons)
+    if (!polygon.interiors.empty() && !polygon.picture && set_outer_ring(polygon))
+      ++report.assumed["outline of a polygon: the file has it as a hole"];
   if (polygons.capacity() > count + count / 4) polygons.shrink_to_fit();
   object.polygons = std::move(polygons);
   if (!object.continues) {
     ++report.objects;
+    if (object.type == ObjectType::building && !object.storeys_above_ground)
+      object.storeys_above_ground = raw.named_heights.storeys();
     const bool lod0_alone = std::all_of(places.begin(), places.end(),
                                         [](const RawPolygons::Place& p) { return p.lod == 0; });
     if (lod0_alone && object.type == ObjectType::building && !find_block_height_m(object))

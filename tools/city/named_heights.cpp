@@ -1,30 +1,65 @@
 #include "tools/city/named_heights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
 
 #include "tools/city/attributes.h"
-#include "tools/city/length_unit.h"
 
 namespace nightcity::city {
 namespace {
 
-enum class Meaning : std::uint8_t { height, ground, roof, high_roof, low_roof };
+enum class Meaning : std::uint8_t { height, ground, roof, high_roof, low_roof, storeys };
 
 // Names in lower case. 3DBAG makes its own blocks as high as 70 % of the roof is.
 const std::unordered_map<std::string_view, Meaning>& meanings() {
   static const std::unordered_map<std::string_view, Meaning> table{
-      {"height", Meaning::height},          {"measuredheight", Meaning::height},
-      {"measured_height", Meaning::height}, {"buildingheight", Meaning::height},
-      {"building_height", Meaning::height}, {"bldg_height", Meaning::height},
-      {"gebaeudehoehe", Meaning::height},   {"geb\xC3\xA4udeh\xC3\xB6he", Meaning::height},
-      {"gesamthoehe", Meaning::height},     {"hauteur", Meaning::height},
-      {"b3_h_maaiveld", Meaning::ground},   {"hoehegrund", Meaning::ground},
-      {"gelaendepunkt", Meaning::ground},   {"b3_h_dak_70p", Meaning::roof},
-      {"hoehedach", Meaning::roof},         {"dach_max", Meaning::high_roof},
-      {"b3_h_dak_max", Meaning::high_roof}, {"b3_h_dak_50p", Meaning::low_roof},
+      {"height", Meaning::height},
+      {"measuredheight", Meaning::height},
+      {"measured_height", Meaning::height},
+      {"buildingheight", Meaning::height},
+      {"building_height", Meaning::height},
+      {"bldg_height", Meaning::height},
+      {"gebaeudehoehe", Meaning::height},
+      {"geb\xC3\xA4udeh\xC3\xB6he", Meaning::height},
+      {"gesamthoehe", Meaning::height},
+      {"hauteur", Meaning::height},
+      {"b3_h_maaiveld", Meaning::ground},
+      {"hoehegrund", Meaning::ground},
+      {"gelaendepunkt", Meaning::ground},
+      {"b3_h_dak_70p", Meaning::roof},
+      {"hoehedach", Meaning::roof},
+      {"dach_max", Meaning::high_roof},
+      {"b3_h_dak_max", Meaning::high_roof},
+      {"b3_h_dak_50p", Meaning::low_roof},
+      {"hoehe", Meaning::height},
+      {"h\xC3\xB6he", Meaning::height},
+      {"hoogte", Meaning::height},
+      {"altura", Meaning::height},
+      {"altezza", Meaning::height},
+      {"storeys", Meaning::storeys},
+      {"stories", Meaning::storeys},
+      {"levels", Meaning::storeys},
+      {"building:levels", Meaning::storeys},
+      {"building_levels", Meaning::storeys},
+      {"floors", Meaning::storeys},
+      {"num_floors", Meaning::storeys},
+      {"floor_count", Meaning::storeys},
+      {"numberoffloors", Meaning::storeys},
+      {"number_of_floors", Meaning::storeys},
+      {"numberoffloorsaboveground", Meaning::storeys},
+      {"numberofstoreys", Meaning::storeys},
+      {"number_of_storeys", Meaning::storeys},
+      {"geschosse", Meaning::storeys},
+      {"anzahlgeschosse", Meaning::storeys},
+      {"anzahl_geschosse", Meaning::storeys},
+      {"geschossanzahl", Meaning::storeys},
+      {"vollgeschosse", Meaning::storeys},
+      {"nombre_d_etages", Meaning::storeys},
+      {"nb_etages", Meaning::storeys},
+      {"bouwlagen", Meaning::storeys},
   };
   return table;
 }
@@ -37,13 +72,20 @@ bool NamedHeights::knows(std::string_view name) {
 
 void NamedHeights::take(std::string_view name, std::string_view value, std::string_view unit) {
   const auto found = meanings().find(name);
-  const auto number = parse_measure(value);
-  if (found == meanings().end() || !number || is_sentinel(*number)) return;
+  if (found == meanings().end()) return;
   const Meaning meaning = found->second;
   if (meaning == Meaning::height) {
     constexpr double max_height_m = 5000;
-    const double metres = *number * find_metres_per(unit).value_or(1);
-    if (metres > 0 && metres < max_height_m) height_m_ = metres;
+    const auto metres = parse_length_m(value, unit);
+    if (metres && *metres > 0 && *metres < max_height_m) height_m_ = metres;
+    return;
+  }
+  const auto number = parse_measure(value);
+  if (!number || is_sentinel(*number)) return;
+  if (meaning == Meaning::storeys) {
+    constexpr double max_storeys = 200;
+    if (*number >= 1 && *number <= max_storeys)
+      storeys_ = std::max(storeys_.value_or(0), static_cast<int>(std::lround(*number)));
   } else if (meaning == Meaning::ground) {
     ground_ = number;
   } else {

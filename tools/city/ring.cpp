@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <utility>
 
 namespace nightcity::city {
 
@@ -26,6 +29,38 @@ bool has_sentinel_height(const Polygon& polygon) {
   };
   return holds(polygon.exterior) ||
          std::any_of(polygon.interiors.begin(), polygon.interiors.end(), holds);
+}
+
+namespace {
+
+// Returns whether a box lies within another: the boxes of two rings.
+bool lies_within(const Ring& inner, const Ring& outer) {
+  glm::dvec3 low = inner.front(), high = low, outer_low = outer.front(), outer_high = outer_low;
+  for (const glm::dvec3& p : inner) low = glm::min(low, p), high = glm::max(high, p);
+  for (const glm::dvec3& p : outer)
+    outer_low = glm::min(outer_low, p), outer_high = glm::max(outer_high, p);
+  return glm::all(glm::lessThanEqual(outer_low, low)) &&
+         glm::all(glm::lessThanEqual(high, outer_high));
+}
+
+}  // namespace
+
+bool set_outer_ring(Polygon& polygon) {
+  if (polygon.exterior.empty()) return false;
+  const glm::dvec3 own = area_vector(polygon.exterior);
+  for (Ring& hole : polygon.interiors) {
+    if (hole.empty()) continue;
+    const glm::dvec3 its = area_vector(hole);
+    if (!(glm::dot(its, its) > glm::dot(own, own)) || !lies_within(polygon.exterior, hole))
+      continue;
+    std::swap(polygon.exterior, hole);
+    if (glm::dot(its, own) < 0) {  // the surface goes on facing the same way
+      std::reverse(polygon.exterior.begin(), polygon.exterior.end());
+      std::reverse(hole.begin(), hole.end());
+    }
+    return true;
+  }
+  return false;
 }
 
 }  // namespace nightcity::city

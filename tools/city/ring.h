@@ -16,6 +16,10 @@ glm::dvec3 area_vector(const Ring& ring);
 /// Returns the number of vertices of all rings of a polygon.
 std::size_t count_vertices(const Polygon& polygon);
 
+/// Gives a polygon the outline that lies outside of all others, where a file has it among the
+/// holes. Returns whether it did.
+bool set_outer_ring(Polygon& polygon);
+
 /// Returns whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38,
 /// and blocks that stand on such a height end a little above. No ground is that low in metres or in
 /// feet, and none is 30 km high.

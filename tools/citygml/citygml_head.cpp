@@ -223,9 +223,14 @@ std::vector<city::Document> list_citygml_documents(const std::filesystem::path& 
 
 city::CityHead read_citygml_head(const std::filesystem::path& file,
                                  const city::ReadOptions& options) {
+  return read_documents_head(list_citygml_documents(file, nullptr), options);
+}
+
+city::CityHead read_documents_head(std::span<const city::Document> documents,
+                                   const city::ReadOptions& options) {
   city::CityHead out;
   Sampler sampler(out);
-  for (const city::Document& document : list_citygml_documents(file, nullptr)) {
+  for (const city::Document& document : documents) {
     if (sampler.is_full()) break;
     const auto source = document.open();
     MemberSplitter splitter(*source, document.name, limits_of(options));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,5 +41,8 @@ std::vector<city::Document> list_citygml_documents(const std::filesystem::path& 
 /// closed again, so that one can see where they end. Throws Error as read_citygml does.
 city::CityHead read_citygml_head(const std::filesystem::path& file,
                                  const city::ReadOptions& options = {});
+/// The same of documents.
+city::CityHead read_documents_head(std::span<const city::Document> documents,
+                                   const city::ReadOptions& options);
 
 }  // namespace nightcity::citygml

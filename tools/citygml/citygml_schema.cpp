@@ -146,6 +146,8 @@ const std::unordered_map<std::string_view, P>& properties() {
       {"interiorFurniture", P::features},
       {"buildingFurniture", P::features},
 
+      {"buildingSubdivision", P::subdivision},
+
       {"tin", P::geometry},
       {"lod", P::relief_lod},
       {"reliefPoints", P::points},
@@ -194,7 +196,8 @@ FeatureClass find_class_at(std::string_view property) {
       property == "fillingSurface" || property == "trafficArea" ||
       property == "auxiliaryTrafficArea")
     return {K::surface, O::other, S::unknown};
-  if (property.starts_with("consistsOf") || property.ends_with("Part"))
+  if (property.starts_with("consistsOf") || property.ends_with("Part") ||
+      property == "buildingSubdivision")
     return {K::part, O::other, S::unknown};
   if (property.ends_with("Installation") || property.ends_with("Construction") ||
       property.ends_with("ConstructiveElement"))

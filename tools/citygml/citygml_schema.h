@@ -39,10 +39,12 @@ FeatureClass find_class_at(std::string_view property);
 
 /// Selects the way in which a property of a feature is read.
 enum class PropertyKind : std::uint8_t {
-  skip,        // not used: counted by name
-  attribute,   // function, usage, measuredHeight, ...
-  features,    // holds child features
-  geometry,    // lodN..., tin
+  skip,       // not used: counted by name
+  attribute,  // function, usage, measuredHeight, ...
+  features,   // holds child features
+  geometry,   // lodN..., tin
+  /// Holds storeys or units of a building, which may have the geometry that it lacks.
+  subdivision,
   relief_lod,  // dem:lod
   points,      // mass points, break lines
   address,

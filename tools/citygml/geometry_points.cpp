@@ -12,6 +12,20 @@
 
 namespace nightcity::citygml {
 
+namespace {
+
+// Reads GML 2's <coordinates> or <coord> as numbers of three coordinates a point.
+bool read_old_point(const pugi::xml_node& element, std::vector<double>& numbers) {
+  city::Ring vertices;
+  pugi::xml_document alone;
+  alone.append_child("p").append_copy(element);
+  if (read_vertices(alone.document_element(), 0, vertices) != RingFault::none) return false;
+  for (const glm::dvec3& p : vertices) numbers.insert(numbers.end(), {p.x, p.y, p.z});
+  return true;
+}
+
+}  // namespace
+
 bool GeometryWalk::read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
                                    city::CityObject& object) {
   const auto is_tin = [](const pugi::xml_node& node) { return local_name(node.name()) == "Tin"; };
@@ -48,7 +62,8 @@ void GeometryWalk::walk_points(const pugi::xml_node& property, const GeometryCon
     return;
   }
   const std::string_view name = local_name(property.name());
-  if (name != "pos" && name != "posList") {
+  const bool is_of_gml2 = name == "coordinates" || name == "coord";
+  if (name != "pos" && name != "posList" && !is_of_gml2) {
     const bool is_line =
         name == "LineString" || name == "LineStringSegment" || name == "LinearRing";
     city::Ring line;
@@ -63,8 +78,10 @@ void GeometryWalk::walk_points(const pugi::xml_node& property, const GeometryCon
     return;
   }
   std::vector<double> numbers;
-  const std::size_t d = inside.dimension == 2 ? 2 : 3;
-  if (!read_numbers(property, numbers) || numbers.size() % d != 0) {
+  const std::size_t d = inside.dimension == 2 && !is_of_gml2 ? 2 : 3;
+  const bool is_sound =
+      is_of_gml2 ? read_old_point(property, numbers) : read_numbers(property, numbers);
+  if (!is_sound || numbers.size() % d != 0) {
     skipped_.add("points: coordinates that are no numbers");
     return;
   }

@@ -1,9 +1,12 @@
 // Places shapes that several objects share: implicit geometries.
+#include <algorithm>
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <utility>
 #include <vector>
 
+#include "tools/city/placement_matrix.h"
 #include "tools/citygml/geometry_names.h"
 #include "tools/citygml/geometry_walk.h"
 #include "tools/citygml/rings.h"
@@ -28,9 +31,14 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
         skipped_.add("implicit geometry: matrix that is none");
         return;
       }
-      for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-          matrix[column][row] = numbers[static_cast<std::size_t>(4 * row + column)];
+      std::array<double, 16> rows;
+      std::copy(numbers.begin(), numbers.end(), rows.begin());
+      const auto placement = city::make_placement(rows);
+      if (!placement) {
+        skipped_.add("implicit geometry: matrix that is none");
+        return;
+      }
+      matrix = *placement;
     } else if (name == "referencePoint") {
       std::vector<glm::dvec3> points;
       std::vector<city::Ring> lines;
@@ -45,13 +53,6 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
       skipped_.add(child.name());
     }
   }
-  // Homogeneous coordinates: a last entry of 2 halves what the matrix makes.
-  if (matrix[3][3] == 0) matrix[3][3] = 1;
-  if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || !(matrix[3][3] > 0)) {
-    skipped_.add("implicit geometry: matrix that is none");
-    return;
-  }
-  matrix /= matrix[3][3];
   matrix[3] += glm::dvec4(reference, 0.0);
   GeometryContext placed = context;
   placed.placed = &matrix;

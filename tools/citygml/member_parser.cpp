@@ -113,10 +113,10 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
       } else {
         for (const pugi::xml_node& child : property.children())
           if (child.type() == pugi::node_element) {
-            if (local_name(child.name()) == name)
-              skip(child);  // groups of groups
+            if (depth < max_nesting)
+              read_top(child, out, depth + 1);
             else
-              read_top(child, out);
+              skip(child);
           }
       }
     return;
@@ -142,7 +142,8 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
   context.srs_name = geometry_.find_srs_name_in(element, context.srs_name);
   city::CityObject said;
   if (what.object == city::ObjectType::vegetation) said.plant.emplace();
-  std::vector<pugi::xml_node> children, geometries, points;
+  std::vector<pugi::xml_node> children, geometries, points, subdivisions;
+  const std::size_t before = raw.polygons.size();
   Elevations elevations;
   int relief_lod = -1;
   for (const pugi::xml_node& property : element.children()) {
@@ -167,6 +168,9 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
       case PropertyKind::relief_lod:
         if (const auto lod = city::parse_number(property.child_value()))
           relief_lod = static_cast<int>(std::clamp(*lod, -1.0, 4.0));
+        break;
+      case PropertyKind::subdivision:
+        subdivisions.push_back(property);
         break;
       case PropertyKind::points:
         points.push_back(property);
@@ -206,6 +210,13 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
   }
   for (const pugi::xml_node& property : points)
     geometry_.read_points(property, context, raw.object);
+  // Storeys and units cut up what the building shows, unless it shows nothing itself.
+  const bool is_hollow = raw.polygons.size() == before;
+  for (const pugi::xml_node& property : subdivisions)
+    if (is_hollow)
+      read_child_features(property, context, raw);
+    else
+      skip(property);
 }
 
 void MemberParser::read_child_features(const pugi::xml_node& property,

@@ -16,11 +16,12 @@ city::ReadReport read_citygml_staged(const std::filesystem::path& file,
   if (options.piece) {
     const city::Document piece{file.string(), false,
                                [&] { return city::open_piece(file, *options.piece); }};
-    return read_with_stream(piece, options, stage);
+    return read_with_stream(piece, {}, options, stage);
   }
-  for (const city::Document& document : list_citygml_documents(file, &report.warnings)) {
+  const std::vector<city::Document> documents = list_citygml_documents(file, &report.warnings);
+  for (const city::Document& document : documents) {
     if (options.reader == city::Reader::stream) {
-      report.merge(read_with_stream(document, options, stage));
+      report.merge(read_with_stream(document, documents, options, stage));
       continue;
     }
     report.merge(read_with_libcitygml(document, options, [&](city::CityObject&& object) {

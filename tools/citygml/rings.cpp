@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <string_view>
 
 #include "tools/citygml/curves.h"
+#include "tools/citygml/number_list.h"
 #include "tools/citygml/tag_scanner.h"
 #include "tools/decimal.h"
 
@@ -151,13 +151,17 @@ const char* name_of(RingFault fault) {
 
 bool read_numbers(const pugi::xml_node& element, std::vector<double>& numbers) {
   const pugi::xml_node first = element.first_child();
+  std::string joined;
+  std::string_view text = first.value();
   if (first.next_sibling()) {  // comments and CDATA cut a text, in the middle of numbers too
-    std::string text;
-    for (const pugi::xml_node& part : element.children()) text += part.value();
-    return parse_numbers(text.data(), text.data() + text.size(), numbers);
+    for (const pugi::xml_node& part : element.children()) joined += part.value();
+    text = joined;
   }
-  const char* text = first.value();
-  return parse_numbers(text, text + std::strlen(text), numbers);
+  const std::size_t before = numbers.size();
+  if (parse_numbers(text.data(), text.data() + text.size(), numbers)) return true;
+  numbers.resize(before);
+  const std::string mended = mend_number_list(text);
+  return parse_numbers(mended.data(), mended.data() + mended.size(), numbers);
 }
 
 int find_dimension(const pugi::xml_node& element, int inherited) {

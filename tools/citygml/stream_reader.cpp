@@ -1,22 +1,21 @@
 #include "tools/citygml/stream_reader.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
 #include <optional>
 #include <pugixml.hpp>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
 #include "formats/error.h"
 #include "tools/city/find_name.h"
 #include "tools/citygml/citygml_head.h"
+#include "tools/citygml/link_targets.h"
 #include "tools/citygml/member_parser.h"
 #include "tools/citygml/picture_colours.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/server_answer.h"
-#include "tools/citygml/shared_geometry.h"
 #include "tools/citygml/srs_scope.h"
 #include "tools/in_order.h"
 
@@ -34,6 +33,10 @@ bool mentions_srs_name(std::string_view text) {
   return city::find_name(text, "srsName") != std::string_view::npos;
 }
 
+bool mentions_link(std::string_view text) {
+  return city::find_name(text, "href") != std::string_view::npos;
+}
+
 MemberBatch copy_member(const MemberBatch& whole, std::size_t number) {
   MemberBatch one;
   one.first_member = whole.first_member + number;
@@ -49,19 +52,21 @@ struct BatchResult {
   std::vector<city::CityObject> objects;
   std::function<void()> rest;  // what the stage leaves to be done in file order
   city::ReadReport report;
-  std::vector<std::size_t> deferred;  // members whose geometry stands elsewhere
-  std::unordered_set<std::string> wanted;
+  /// Members that cannot be read yet: they link to what stands elsewhere, or others may link to
+  /// them.
+  std::vector<std::size_t> deferred;
+  std::unordered_set<std::string> wanted;  // geometry
+  std::vector<FeatureLinks> links;
 };
 
 class StreamReader {
  public:
-  StreamReader(const city::Document& document, const city::ReadOptions& options,
-               const city::ObjectStage& stage)
-      : document_(document), options_(options), stage_(stage) {
-    library_.folder = std::filesystem::path(document.name).parent_path();
-    library_.file_name = std::filesystem::path(document.name).filename().string();
-    library_.neighbours = options.neighbours;
-    library_.max_vertices = static_cast<std::size_t>(options.max_linked_vertices);
+  StreamReader(const city::Document& document, std::span<const city::Document> siblings,
+               const city::ReadOptions& options, const city::ObjectStage& stage)
+      : document_(document),
+        options_(options),
+        stage_(stage),
+        targets_(document, siblings, options) {
     if (options.textures == city::Textures::none || document.packed) return;
     reads_textures_ = true;
   }
@@ -73,12 +78,12 @@ class StreamReader {
     report_.srs_name = srs_name_;
     if (deferred_.empty()) return finish();
     if (options_.piece) {
-      report_.needs_whole_file = "its members link to geometry of other members";
+      report_.needs_whole_file = "its members link to geometry or objects of other members";
       return finish();
     }
-    // Some members refer to geometry that others hold: fetch it, then read those members again.
-    fetch_wanted();
-    library_complete_ = true;
+    // Some members refer to what others hold: fetch it, then read those members again.
+    targets_.fetch(wanted_, document_srs_name_, report_.warnings);
+    targets_complete_ = true;
     const std::unordered_set<std::size_t> again(deferred_.begin(), deferred_.end());
     run(&again);
     return finish();
@@ -103,8 +108,8 @@ class StreamReader {
     const auto source = document_.open();
     const MemberSplitter splitter(*source, document_.name, limits_of(options_));
     pictures_.emplace(document_, splitter.head().latin1, options_.textures);
-    library_.pictures = &*pictures_;
-    file_materials_.set_pictures(library_.pictures);
+    targets_.library().pictures = &*pictures_;
+    file_materials_.set_pictures(targets_.library().pictures);
   }
 
   // The document's own appearances may stand behind the objects they colour, so they are read
@@ -125,45 +130,6 @@ class StreamReader {
         file_materials_.read(xml.document_element(), textures);
       }
     textures.merge_into(report_.skipped);
-  }
-
-  void fetch_wanted() {
-    std::map<std::filesystem::path, std::unordered_set<std::string>> by_file;  // "" = this one
-    for (const std::string& name : wanted_) {
-      auto [file, id] = library_.split_name(name);
-      by_file[std::move(file)].insert(std::move(id));
-    }
-    for (const auto& [file, ids] : by_file) {
-      if (file.empty()) {
-        take_geometry(document_, ids, {});
-      } else if (read_citygml_head(file, options_).srs_name != own_srs_name()) {
-        report_.warnings.push_back(document_.name + ": xlinks into " + file.string() +
-                                   " are not followed: it is in another CRS");
-      } else {
-        for (const city::Document& neighbour : list_citygml_documents(file, nullptr))
-          take_geometry(neighbour, ids, file.string() + "#");
-      }
-    }
-  }
-
-  void take_geometry(const city::Document& document, const std::unordered_set<std::string>& ids,
-                     const std::string& prefix) {
-    FetchedGeometry fetched =
-        fetch_geometry(document, ids, options_, document_srs_name_, next_linked_, room_);
-    for (auto& [id, polygons] : fetched.polygons)
-      library_.polygons.emplace(prefix + id, std::move(polygons));
-    if (fetched.beyond_room > 0)
-      report_.warnings.push_back(
-          document.name + ": " + std::to_string(fetched.beyond_room) +
-          " links are not followed: what they lead to has more vertices than [city] "
-          "max_linked_vertices = " +
-          std::to_string(options_.max_linked_vertices) + " in a recipe allows");
-  }
-
-  // The name that read_citygml_head finds, to be compared with a neighbour's.
-  std::string own_srs_name() const {
-    if (document_.packed) return srs_name_;
-    return read_citygml_head(document_.name, options_).srs_name;
   }
 
   void load(const DocumentHead& head, const MemberBatch& batch, const MemberBatch::Member& member,
@@ -196,10 +162,20 @@ class StreamReader {
                                         member.name + ">): ask for a smaller area");
         continue;
       }
+      if (targets_.features().is_given_away(number)) continue;
       pugi::xml_document xml;
-      const bool names_any = options_.srs_name && mentions_srs_name(batch.text(member));
+      bool names_any = options_.srs_name && mentions_srs_name(batch.text(member));
+      const bool has_links = mentions_link(batch.text(member));
       load(head, batch, member, xml);
-      MemberParser parser(xml.document_element(), member.line, library_, file_materials_);
+      FeatureLinks links;
+      std::vector<std::string> joined;
+      if (targets_complete_) {
+        joined = targets_.features().put_into(xml, number, targets_.library());
+        names_any = options_.srs_name.has_value();
+      } else {
+        links = take_feature_links(xml, has_links, targets_.library());
+      }
+      MemberParser parser(xml.document_element(), member.line, targets_.library(), file_materials_);
       if (names_any) {
         scope.enter(xml);
         parser.set_srs_scope(&scope);
@@ -208,8 +184,10 @@ class StreamReader {
         parser.set_srs_name(scope.name_of_document());
       }
       std::vector<city::RawObject> raws = parser.parse();
-      if (!parser.unresolved().empty() && !library_complete_) {
+      if (!targets_complete_ && (!parser.unresolved().empty() || !links.empty())) {
         out.deferred.push_back(number);
+        links.member = number;
+        if (!links.empty()) out.links.push_back(std::move(links));
         out.wanted.insert(parser.unresolved().begin(), parser.unresolved().end());
         continue;
       }
@@ -219,6 +197,7 @@ class StreamReader {
       parser.skipped().merge_into(out.report.skipped);
       for (city::RawObject& raw : raws) {
         raw.object.continues = member.continued;
+        raw.object.joined_ids = joined;
         out.objects.push_back(city::merge_parts(std::move(raw), options_, out.report));
       }
     }
@@ -234,6 +213,7 @@ class StreamReader {
     report_.merge(result.report);
     deferred_.insert(deferred_.end(), result.deferred.begin(), result.deferred.end());
     wanted_.merge(result.wanted);
+    for (FeatureLinks& links : result.links) targets_.features().note(std::move(links));
   }
 
   bool next(MemberSplitter& splitter, MemberBatch& batch) {
@@ -274,19 +254,19 @@ class StreamReader {
   bool reads_textures_ = false;
   std::optional<PictureColours> pictures_;
   Materials file_materials_;
-  GeometryLibrary library_;
-  bool library_complete_ = false;
-  std::uint64_t next_linked_ = 1;
-  std::size_t room_ = static_cast<std::size_t>(options_.max_linked_vertices);
+  LinkTargets targets_;
+  bool targets_complete_ = false;
   std::vector<std::size_t> deferred_;
   std::unordered_set<std::string> wanted_;
 };
 
 }  // namespace
 
-city::ReadReport read_with_stream(const city::Document& document, const city::ReadOptions& options,
+city::ReadReport read_with_stream(const city::Document& document,
+                                  std::span<const city::Document> siblings,
+                                  const city::ReadOptions& options,
                                   const city::ObjectStage& stage) {
-  return StreamReader(document, options, stage).read();
+  return StreamReader(document, siblings, options, stage).read();
 }
 
 }  // namespace nightcity::citygml

@@ -62,8 +62,14 @@ void read_feature(const dom::element& value, const SharedParts& shared,
   if (!objects) return batch.skipped.add("feature without city objects");
 
   std::vector<glm::dvec3> vertices;
+  // The header's holds for all, but some writers give each feature one of its own.
+  const auto own_transform = find_member(feature, "transform");
+  const Transform transform =
+      own_transform && !own_transform->is_null() && line > 1
+          ? read_transform(*own_transform, [&] { return name + ":" + std::to_string(line); })
+          : shared.transform;
   if (const auto array = find_array(feature, "vertices"))
-    vertices = read_vertices(*array, shared.transform);
+    vertices = read_vertices(*array, transform);
   Materials own;
   GeometrySources sources{vertices, are_usable(vertices), &shared, &shared.materials};
   if (const auto appearance = find_object(feature, "appearance"); appearance && line > 1) {

@@ -1,6 +1,7 @@
 #include "tools/cityjson/geometry_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -11,6 +12,7 @@
 
 #include "formats/finite.h"
 #include "tools/city/attributes.h"
+#include "tools/city/placement_matrix.h"
 #include "tools/city/ring.h"
 
 namespace nightcity::cityjson {
@@ -242,27 +244,23 @@ std::optional<glm::dmat4> GeometryReader::read_placement(const dom::object& geom
   }
   glm::dmat4 matrix(1.0);
   if (const auto rows = find_array(geometry, "transformationMatrix")) {
-    int count = 0;
+    std::array<double, 16> entries;
+    std::size_t count = 0;
     bool valid = true;
     for (const dom::element& value : *rows) {
       const auto entry = to_number(value);
       valid = entry && count < 16;
       if (!valid) break;
-      matrix[count % 4][count / 4] = *entry;
-      ++count;
+      entries[count++] = *entry;
     }
-    if (!valid || count != 16) {
+    const auto placement =
+        valid && count == 16 ? city::make_placement(entries) : std::optional<glm::dmat4>();
+    if (!placement) {
       skipped_.add("template with a matrix that is none");
       return {};
     }
+    matrix = *placement;
   }
-  // Homogeneous coordinates: a last entry of 2 halves what the matrix makes.
-  if (matrix[3][3] == 0) matrix[3][3] = 1;
-  if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || !(matrix[3][3] > 0)) {
-    skipped_.add("template with a matrix that is none");
-    return {};
-  }
-  matrix /= matrix[3][3];
   anchor = sources_.vertices[places[0][0]];
   matrix[3] += glm::dvec4(anchor, 0.0);
   return matrix;

@@ -149,14 +149,22 @@ std::optional<city::RawObject> read_object(std::span<const GroupMember> group,
   raw.object.type = root.what.type;
   GeometryReader geometry(sources, skipped);
   read_member(root, 0, geometry, raw, skipped);
-  for (const GroupMember& member : group.subspan(1)) {
-    if (member.what.role == ObjectRole::interior) {
-      count_skipped(member, "polygon: inside a building", skipped);
-      continue;
-    }
+  const auto read_space = [&](const GroupMember& member) {
     const auto space = static_cast<std::uint32_t>(raw.spaces.size());
     raw.spaces.push_back({member.what.role == ObjectRole::detail});
     read_member(member, space, geometry, raw, skipped);
+  };
+  for (const GroupMember& member : group.subspan(1))
+    if (member.what.role != ObjectRole::interior) read_space(member);
+  // Storeys and units cut up what the building shows, unless it shows nothing itself.
+  const bool is_hollow = raw.polygons.empty();
+  for (const GroupMember& member : group.subspan(1)) {
+    if (member.what.role != ObjectRole::interior) continue;
+    const std::string_view type = find_text(member.object, "type");
+    if (is_hollow && (type == "BuildingStorey" || type == "BuildingUnit"))
+      read_space(member);
+    else
+      count_skipped(member, "polygon: inside a building", skipped);
   }
   return made;
 }

@@ -29,20 +29,6 @@ glm::dvec2 read_place(const dom::element& value) {
           to_number(array.at(1).value()).value_or(none)};
 }
 
-Transform read_transform(const dom::element& value, const Where& where) {
-  dom::object object;
-  if (value.get(object) == simdjson::SUCCESS) {
-    const auto find_vector = [&](std::string_view key) {
-      const auto member = find_member(object, key);
-      return member ? to_vector(*member) : std::nullopt;
-    };
-    const auto scale = find_vector("scale"), translate = find_vector("translate");
-    if (scale && translate && scale->x != 0 && scale->y != 0 && scale->z != 0)
-      return {*scale, *translate};
-  }
-  throw Error(where(), "\"transform\" needs \"scale\" and \"translate\" of three numbers each");
-}
-
 bool is_digits(std::string_view text) {
   return !text.empty() &&
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -79,6 +65,20 @@ std::string find_crs_name(const dom::object& described) {
     if (code && !authority.empty()) return std::string(authority) + ":" + to_text(*code);
   }
   return find_text(described, "name").empty() ? std::string() : simdjson::minify(described);
+}
+
+Transform read_transform(const dom::element& value, const Where& where) {
+  dom::object object;
+  if (value.get(object) == simdjson::SUCCESS) {
+    const auto find_vector = [&](std::string_view key) {
+      const auto member = find_member(object, key);
+      return member ? to_vector(*member) : std::nullopt;
+    };
+    const auto scale = find_vector("scale"), translate = find_vector("translate");
+    if (scale && translate && scale->x != 0 && scale->y != 0 && scale->z != 0)
+      return {*scale, *translate};
+  }
+  throw Error(where(), "\"transform\" needs \"scale\" and \"translate\" of three numbers each");
 }
 
 std::vector<glm::dvec3> read_vertices(const dom::array& array, const Transform& transform) {

@@ -43,6 +43,9 @@ struct Materials {
 /// Returns file and line.
 using Where = std::function<std::string()>;
 
+/// Reads a "transform". Throws Error where it is none.
+Transform read_transform(const dom::element& value, const Where& where);
+
 struct SharedParts {
   std::string version;   // "2.0"
   std::string srs_name;  // "EPSG:7415", from any of the forms in use; "" = none

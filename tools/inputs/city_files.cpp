@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <utility>
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 bool is_city_file(const fs::path& path) {
   const std::string name = to_lower(path.filename().string());
-  if (name.ends_with(".zip")) return true;
+  if (name.ends_with(".zip") || city::ends_with_any(name, unread_archive_endings())) return true;
   const std::string_view plain = std::string_view(name).substr(
       0, name.size() - (name.ends_with(".gz") ? std::string_view(".gz").size() : 0));
   return city::ends_with_any(plain, city_endings());
@@ -53,6 +54,12 @@ std::vector<fs::path> leave_out_others(const fs::path& folder, const std::vector
 }
 
 }  // namespace
+
+std::span<const std::string_view> unread_archive_endings() {
+  static constexpr std::array<std::string_view, 10> endings{
+      ".7z", ".rar", ".tar", ".tgz", ".tar.gz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".tar.zst"};
+  return endings;
+}
 
 std::vector<std::string_view> city_endings() {
   std::vector<std::string_view> endings;

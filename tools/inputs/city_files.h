@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,9 @@ namespace nightcity::inputs {
 /// Returns how the names of city files end, in lower case and without .gz: those of all city
 /// formats in the table of file_format.h.
 std::vector<std::string_view> city_endings();
+
+/// Returns how the names of archives end that have to be unpacked first: those in folders are told.
+std::span<const std::string_view> unread_archive_endings();
 
 /// Returns `path` itself unless it is a folder; then the files in it and in the folders inside
 /// whose names end as city_endings() says, also gzipped (.gml.gz), and .zip archives, sorted by

@@ -48,7 +48,8 @@ bool is_osm(const FileStart& start) {
   const bool packed_city =
       start.name.ends_with(ending) &&
       city::ends_with_any(start.name.substr(0, start.name.size() - ending.size()), city_endings());
-  return osm::begins_as_osm(start.bytes) && !packed_city;
+  const bool packed_tar = city::ends_with_any(start.name, unread_archive_endings());
+  return osm::begins_as_osm(start.bytes) && !packed_city && !packed_tar;
 }
 
 bool is_gltf(const FileStart& start) {
@@ -188,7 +189,8 @@ std::string find_reason_to_pass_over(const std::filesystem::path& path) {
   if (const FileFormat* format = recognise({bytes, name, document.packed}))
     return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
   const bool is_text = !city::find_root_name(bytes).empty() || bytes.starts_with('{');
-  return is_text ? city::explain_foreign(bytes, name) : "";
+  const bool is_archive = city::ends_with_any(name, unread_archive_endings());
+  return is_text || is_archive ? city::explain_foreign(bytes, name) : "";
 }
 
 }  // namespace nightcity::inputs

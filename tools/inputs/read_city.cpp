@@ -6,6 +6,8 @@
 
 #include "formats/error.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/foreign_format.h"
+#include "tools/city/text_encoding.h"
 #include "tools/inputs/file_format.h"
 
 namespace nightcity::inputs {
@@ -17,6 +19,15 @@ const city::FileReader& find_reader(const std::filesystem::path& file, const Fil
   return *format.reader;
 }
 
+// Returns the name of a document's format, else of what its XML is, else how its name ends.
+std::string name_kind(const city::Document& document, const FileFormat* format) {
+  if (format) return std::string(format->name);
+  const std::string start = city::read_start(document, std::size_t{1} << 16);
+  const std::string_view root = city::find_root_name(start);
+  if (!root.empty()) return city::to_valid_utf8("<" + std::string(root) + ">");
+  return city::to_valid_utf8(std::filesystem::path(document.name).extension().string());
+}
+
 // An archive is read by the reader of its first city model, and what this one does not know is
 // passed over.
 void tell_passed_over(const std::filesystem::path& file, const city::FileContents& contents,
@@ -26,12 +37,16 @@ void tell_passed_over(const std::filesystem::path& file, const city::FileContent
         "{}: {} packed files inside were passed over (first {}): unpack the archive, and name what "
         "is inside",
         file.string(), packed.size(), packed.front()));
+  for (const auto& [ending, count] : contents.others)
+    report.passed_over[city::to_valid_utf8(ending)] += count;
   if (contents.documents.size() < 2) return;
   std::size_t others = 0;
   std::string first;
   for (const city::Document& document : contents.documents) {
     const FileFormat* format = find_format(document);
-    if (!format || format == &read || format->kind != FileKind::city) continue;
+    if (format == &read) continue;
+    ++report.passed_over[name_kind(document, format)];
+    if (!format || format->kind != FileKind::city) continue;
     if (others++ == 0) first = document.name + " is " + format->name;
   }
   if (others > 0)

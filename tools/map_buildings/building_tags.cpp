@@ -1,11 +1,11 @@
 #include "tools/map_buildings/building_tags.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <unordered_map>
 
 #include "tools/map_buildings/levels_text.h"
+#include "tools/map_buildings/roof_words.h"
 #include "tools/osm/bearings.h"
 #include "tools/osm/lifecycle.h"
 #include "tools/osm/tag_values.h"
@@ -83,43 +83,6 @@ std::optional<double> find_direction(const osm::OsmTags& tags, city::SkipCounter
   return degrees;
 }
 
-RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
-  static const std::unordered_map<std::string_view, RoofShape> table{
-      {"", RoofShape::flat},
-      {"flat", RoofShape::flat},
-      {"gabled", RoofShape::gabled},
-      {"gable", RoofShape::gabled},
-      {"pitched", RoofShape::gabled},
-      {"gambrel", RoofShape::gambrel},
-      {"round", RoofShape::round},
-      {"saltbox", RoofShape::saltbox},
-      {"hipped", RoofShape::hipped},
-      {"hip", RoofShape::hipped},
-      {"half_hipped", RoofShape::half_hipped},
-      {"mansard", RoofShape::mansard},
-      {"pyramidal", RoofShape::pyramidal},
-      {"cone", RoofShape::pyramidal},
-      {"dome", RoofShape::dome},
-      {"onion", RoofShape::onion},
-      {"skillion", RoofShape::skillion},
-      {"lean_to", RoofShape::skillion},
-      {"shed", RoofShape::skillion},
-      {"half_hip", RoofShape::half_hipped},
-      {"jerkinhead", RoofShape::half_hipped},
-      {"tented", RoofShape::pyramidal},
-      {"pyramid", RoofShape::pyramidal},
-      {"conical", RoofShape::pyramidal}};
-  std::string text = find_tag(tags, "roof:shape");
-  if (text.empty()) text = find_tag(tags, "building:roof:shape");
-  // A list names the shape of most of the roof first.
-  if (const auto parts = osm::split_list(text); parts.size() > 1)
-    text = osm::normalise_tag(parts.front());
-  const auto known = table.find(text);
-  if (known != table.end()) return known->second;
-  notes.add("roof:shape=" + text + ", shown flat");
-  return RoofShape::flat;
-}
-
 // A spire or a tent is roof from its foot to its top, but for a wall that has an area. Half of the
 // height is left to the walls where a roof would take more than all.
 double limit_rise(double rise_m, double room_m) {
@@ -157,7 +120,7 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   // A height of 0 stands for none.
   const auto height =
       find_length(tags, {"height", "building:height", "est_height"}, notes, least_height_m);
-  sizes.roof = find_shape(tags, notes);
+  sizes.roof = find_roof_shape(tags, notes);
   if (const std::string orientation = find_tag(tags, "roof:orientation"); !orientation.empty())
     sizes.across = orientation == "across";
   sizes.direction_degrees = find_direction(tags, notes);

@@ -23,7 +23,16 @@ enum class RoofShape : std::uint8_t {
   pyramidal,
   dome,
   onion,
-  skillion
+  skillion,
+  butterfly,
+  sawtooth,
+  gabled_row,
+  double_saltbox,
+  quadruple_saltbox,
+  side_hipped,
+  side_half_hipped,
+  gablet,
+  crosspitched
 };
 
 struct BuildingSizes {

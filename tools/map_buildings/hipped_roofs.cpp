@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "tools/map_buildings/centroid.h"
 #include "tools/map_buildings/roof_shapes.h"
@@ -38,6 +39,13 @@ std::optional<std::array<glm::dvec2, 2>> find_ridge(const Corners& c, double ins
   if (whole < 2 * inset_m + 0.01) return {};
   const glm::dvec2 step = (to - from) / whole * inset_m;
   return std::array{from + step, to - step};
+}
+
+// Turns the corners by half where the direction leads to their last side, so that it leads to the
+// side between the second and the third.
+Corners turn_towards(const Corners& c, const glm::dvec2& direction) {
+  const glm::dvec2 along = (c[1] + c[2]) / 2.0 - (c[3] + c[0]) / 2.0;
+  return glm::dot(along, direction) < -1e-9 ? Corners{c[2], c[3], c[0], c[1]} : c;
 }
 
 // Adds faces from corners at one height to the ridge, or to one top where there is no room for it.
@@ -119,6 +127,113 @@ bool add_half_hip(Shell& shell) {
   }
   shell.add_roof({eave(0), eave(1), shoulder(1, 2), b, a, shoulder(0, 3)});
   shell.add_roof({eave(2), eave(3), shoulder(3, 0), a, b, shoulder(2, 1)});
+  return true;
+}
+
+bool add_side_hip(Shell& shell, const glm::dvec2& fall) {
+  const auto corners = find_corners(shell.outer());
+  if (!corners) return false;
+  const Corners c = turn_towards(*corners, fall);
+  const BuildingSizes& sizes = shell.sizes();
+  const glm::dvec2 from = (c[3] + c[0]) / 2.0, to = (c[1] + c[2]) / 2.0;
+  const double whole = glm::distance(from, to), inset = find_mean_width(c) / 2;
+  if (whole < inset + 0.01) return false;
+  const glm::dvec3 gable(from, sizes.top_m), hip(to - (to - from) / whole * inset, sizes.top_m);
+  const auto foot = [&](std::size_t i) { return glm::dvec3(c[i], sizes.foot_m); };
+  const auto eave = [&](std::size_t i) { return glm::dvec3(c[i], sizes.eaves_m); };
+  for (const std::size_t i : {0u, 1u, 2u})
+    shell.add_wall({foot(i), foot(i + 1), eave(i + 1), eave(i)});
+  shell.add_wall({foot(3), foot(0), eave(0), gable, eave(3)});
+  shell.add_roof({eave(0), eave(1), hip, gable});
+  shell.add_roof({eave(1), eave(2), hip});
+  shell.add_roof({eave(2), eave(3), gable, hip});
+  return true;
+}
+
+bool add_side_half_hip(Shell& shell, const glm::dvec2& fall) {
+  const auto corners = find_corners(shell.outer());
+  if (!corners) return false;
+  const Corners c = turn_towards(*corners, fall);
+  const BuildingSizes& sizes = shell.sizes();
+  const glm::dvec2 from = (c[3] + c[0]) / 2.0, to = (c[1] + c[2]) / 2.0;
+  const double whole = glm::distance(from, to), inset = find_mean_width(c) / 4;
+  if (whole < inset + 0.01) return false;
+  const double middle_m = (sizes.eaves_m + sizes.top_m) / 2;
+  const glm::dvec3 gable(from, sizes.top_m), hip(to - (to - from) / whole * inset, sizes.top_m),
+      right(c[1] + (c[2] - c[1]) / 4.0, middle_m), left(c[2] + (c[1] - c[2]) / 4.0, middle_m);
+  const auto foot = [&](std::size_t i) { return glm::dvec3(c[i], sizes.foot_m); };
+  const auto eave = [&](std::size_t i) { return glm::dvec3(c[i], sizes.eaves_m); };
+  for (const std::size_t i : {0u, 2u}) shell.add_wall({foot(i), foot(i + 1), eave(i + 1), eave(i)});
+  shell.add_wall({foot(1), foot(2), eave(2), left, right, eave(1)});
+  shell.add_wall({foot(3), foot(0), eave(0), gable, eave(3)});
+  shell.add_roof({eave(0), eave(1), right, hip, gable});
+  shell.add_roof({right, left, hip});
+  shell.add_roof({eave(2), eave(3), gable, hip, left});
+  return true;
+}
+
+bool add_gablet(Shell& shell) {
+  const auto corners = find_corners(shell.outer());
+  if (!corners) return false;
+  const Corners& c = *corners;
+  const auto ridge = find_ridge(c, find_mean_width(c) / 2);
+  if (!ridge) return false;
+  const BuildingSizes& sizes = shell.sizes();
+  const double middle_m = (sizes.eaves_m + sizes.top_m) / 2;
+  shell.add_walls(shell.outer(), [&](const glm::dvec2&) { return sizes.eaves_m; });
+  const auto eave = [&](std::size_t i) { return glm::dvec3(c[i], sizes.eaves_m); };
+  // The middle of the edge between a hip and the slope beside it.
+  const auto shoulder = [&](std::size_t i) {
+    const bool is_first = i == 0 || i == 3;
+    return glm::dvec3((c[i] + (*ridge)[is_first ? 0 : 1]) / 2.0, middle_m);
+  };
+  const auto top = [&](std::size_t i, std::size_t j) {
+    return glm::dvec3(glm::dvec2(shoulder(i) + shoulder(j)) / 2.0, sizes.top_m);
+  };
+  const glm::dvec3 a = top(3, 0), b = top(1, 2);
+  shell.add_roof({eave(0), eave(1), shoulder(1), b, a, shoulder(0)});
+  shell.add_roof({eave(2), eave(3), shoulder(3), a, b, shoulder(2)});
+  for (const std::size_t i : {1u, 3u}) {
+    const std::size_t j = (i + 1) % 4;
+    shell.add_roof({eave(i), eave(j), shoulder(j), shoulder(i)});
+    shell.add_wall({shoulder(i), shoulder(j), i == 1 ? b : a});
+  }
+  return true;
+}
+
+bool add_quadruple_saltbox(Shell& shell) {
+  const auto corners = find_corners(shell.outer());
+  if (!corners) return false;
+  const auto inner = shrink(*corners, find_mean_width(*corners) / 3);
+  if (!inner) return false;
+  const double eaves = shell.sizes().eaves_m, top = shell.sizes().top_m;
+  shell.add_walls(shell.outer(), [&](const glm::dvec2&) { return eaves; });
+  city::Ring flat;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    shell.add_roof({glm::dvec3((*corners)[i], eaves), glm::dvec3((*corners)[j], eaves),
+                    glm::dvec3((*inner)[j], top), glm::dvec3((*inner)[i], top)});
+    flat.emplace_back((*inner)[i], top);
+  }
+  shell.add_roof(std::move(flat));
+  return true;
+}
+
+bool add_crossed_gables(Shell& shell) {
+  const auto corners = find_corners(shell.outer());
+  if (!corners) return false;
+  const Corners& c = *corners;
+  const BuildingSizes& sizes = shell.sizes();
+  const glm::dvec3 middle((c[0] + c[1] + c[2] + c[3]) / 4.0, sizes.top_m);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    const glm::dvec3 from(c[i], sizes.eaves_m), to(c[j], sizes.eaves_m),
+        gable((c[i] + c[j]) / 2.0, sizes.top_m);
+    shell.add_wall(
+        {glm::dvec3(c[i], sizes.foot_m), glm::dvec3(c[j], sizes.foot_m), to, gable, from});
+    shell.add_roof({from, gable, middle});
+    shell.add_roof({gable, to, middle});
+  }
   return true;
 }
 

@@ -110,6 +110,48 @@ RoofProfile make_saltbox(const BuildingSizes& sizes, double width_m) {
            {width_m / 2, (sizes.eaves_m + sizes.top_m) / 2}}};
 }
 
+RoofProfile make_butterfly(const BuildingSizes& sizes, double width_m) {
+  return {{{-width_m / 2, sizes.top_m}, {0, sizes.eaves_m}, {width_m / 2, sizes.top_m}}};
+}
+
+RoofProfile make_double_saltbox(const BuildingSizes& sizes, double width_m) {
+  return {{{-width_m / 2, sizes.eaves_m},
+           {-width_m / 6, sizes.top_m},
+           {width_m / 6, sizes.top_m},
+           {width_m / 2, sizes.eaves_m}}};
+}
+
+namespace {
+
+int count_steps(double width_m) {
+  constexpr double most = 200;
+  return static_cast<int>(std::clamp(std::round(width_m / row_step_m), 2.0, most));
+}
+
+// Steps of a rise to `peak` of their width and a fall behind that.
+RoofProfile make_row(const BuildingSizes& sizes, double width_m, double peak) {
+  const int count = count_steps(width_m);
+  const double step = width_m / count;
+  RoofProfile profile{{{-width_m / 2, sizes.eaves_m}}};
+  for (int i = 0; i < count; ++i) {
+    const double from = -width_m / 2 + i * step;
+    profile.corners.push_back({from + peak * step, sizes.top_m});
+    profile.corners.push_back({i + 1 == count ? width_m / 2 : from + step, sizes.eaves_m});
+  }
+  return profile;
+}
+
+}  // namespace
+
+// The steep face leans by a hundredth, because places of a profile rise.
+RoofProfile make_sawtooth(const BuildingSizes& sizes, double width_m) {
+  return make_row(sizes, width_m, 0.99);
+}
+
+RoofProfile make_gabled_row(const BuildingSizes& sizes, double width_m) {
+  return make_row(sizes, width_m, 0.5);
+}
+
 bool add_profile(Shell& shell, const glm::dvec2& middle, const glm::dvec2& along,
                  const RoofProfile& profile) {
   const Stripes stripes(middle, along, profile);

@@ -29,6 +29,18 @@ RoofProfile make_round(const BuildingSizes& sizes, double width_m);
 /// half of the rise above those of the long one, on the far side. (A third is an assumption.)
 RoofProfile make_saltbox(const BuildingSizes& sizes, double width_m);
 
+/// Two slopes that fall to a valley in the middle.
+RoofProfile make_butterfly(const BuildingSizes& sizes, double width_m);
+/// A slope on either side of a flat third. (The thirds are an assumption.)
+RoofProfile make_double_saltbox(const BuildingSizes& sizes, double width_m);
+/// Teeth of some row_step_m, two at least: each a slope that rises, and a face that is all but
+/// upright.
+RoofProfile make_sawtooth(const BuildingSizes& sizes, double width_m);
+/// Gables of some row_step_m side by side, two at least.
+RoofProfile make_gabled_row(const BuildingSizes& sizes, double width_m);
+/// The width of a tooth or gable in a row of them. (An assumption.)
+constexpr double row_step_m = 6;
+
 /// Spans the profile over the outline, its corners across the unit vector `along`, to the left of
 /// it. Fails where a corner's line cuts the outline more than twice.
 bool add_profile(Shell& shell, const glm::dvec2& middle, const glm::dvec2& along,
@@ -43,6 +55,17 @@ bool add_hip(Shell& shell);
 bool add_half_hip(Shell& shell);
 /// Over four convex corners: a hipped roof with the break of a gambrel all round.
 bool add_mansard(Shell& shell);
+/// Over four convex corners: a hip at the end that `fall` leads to, a gable at the other.
+bool add_side_hip(Shell& shell, const glm::dvec2& fall);
+/// The same with half a hip.
+bool add_side_half_hip(Shell& shell, const glm::dvec2& fall);
+/// Over four convex corners: hips that end in gables at half of their height.
+bool add_gablet(Shell& shell);
+/// Over four convex corners: slopes from all sides to a flat top, a third of the width away from
+/// them. (The third is an assumption.)
+bool add_quadruple_saltbox(Shell& shell);
+/// Over four convex corners: a gable on each side, their ridges meet in the middle.
+bool add_crossed_gables(Shell& shell);
 
 /// Half an ellipsoid over the outline: smaller copies of it round the centroid, in 8 rings. Fails
 /// where the outline is not compact (4 pi A / P^2 below 0.5) or the centroid does not see each edge.

@@ -27,10 +27,17 @@ struct Ridge {
   double width_m;  // of the box across it
 };
 
+bool is_row(RoofShape shape) {
+  return shape == RoofShape::sawtooth || shape == RoofShape::gabled_row;
+}
+
 Ridge find_ridge(const BuildingSizes& sizes, const Rectangle& box) {
   const glm::dvec2 across(-box.along.y, box.along.x), fall = find_fall(sizes, box);
-  const bool turned = sizes.across.value_or(std::abs(glm::dot(fall, box.along)) >
-                                            std::abs(glm::dot(fall, across)) + 1e-9);
+  const bool falls_along =
+      std::abs(glm::dot(fall, box.along)) > std::abs(glm::dot(fall, across)) + 1e-9;
+  // The ridges of a row follow each other along the longer side.
+  const bool row = is_row(sizes.roof) && !sizes.direction_degrees;
+  const bool turned = sizes.across.value_or(row || falls_along);
   glm::dvec2 side = turned ? box.along : across;
   if (glm::dot(side, fall) < 0) side = -side;
   return {{-side.y, side.x}, turned ? box.length : box.width};
@@ -72,10 +79,23 @@ void fit_slope(const Outline& outline, BuildingSizes& sizes) {
     case RoofShape::gabled:
     case RoofShape::gambrel:
     case RoofShape::round:
+    case RoofShape::butterfly:
       run = find_ridge(sizes, box).width_m / 2;
       break;
     case RoofShape::saltbox:
       run = find_ridge(sizes, box).width_m * 2 / 3;
+      break;
+    case RoofShape::double_saltbox:
+      run = find_ridge(sizes, box).width_m / 3;
+      break;
+    case RoofShape::quadruple_saltbox:
+      run = box.width / 3;
+      break;
+    case RoofShape::sawtooth:
+      run = row_step_m;
+      break;
+    case RoofShape::gabled_row:
+      run = row_step_m / 2;
       break;
     case RoofShape::skillion: {
       const Extent extent = find_extent(outline, find_fall(sizes, box));
@@ -108,6 +128,24 @@ bool add_roof(Shell& shell, const Outline& outline, const BuildingSizes& sizes) 
       return add_profile(shell, box.middle, ridge.along, make_round(sizes, ridge.width_m));
     case RoofShape::saltbox:
       return add_profile(shell, box.middle, ridge.along, make_saltbox(sizes, ridge.width_m));
+    case RoofShape::butterfly:
+      return add_profile(shell, box.middle, ridge.along, make_butterfly(sizes, ridge.width_m));
+    case RoofShape::double_saltbox:
+      return add_profile(shell, box.middle, ridge.along, make_double_saltbox(sizes, ridge.width_m));
+    case RoofShape::sawtooth:
+      return add_profile(shell, box.middle, ridge.along, make_sawtooth(sizes, ridge.width_m));
+    case RoofShape::gabled_row:
+      return add_profile(shell, box.middle, ridge.along, make_gabled_row(sizes, ridge.width_m));
+    case RoofShape::side_hipped:
+      return add_side_hip(shell, find_fall(sizes, box));
+    case RoofShape::side_half_hipped:
+      return add_side_half_hip(shell, find_fall(sizes, box));
+    case RoofShape::gablet:
+      return add_gablet(shell);
+    case RoofShape::quadruple_saltbox:
+      return add_quadruple_saltbox(shell);
+    case RoofShape::crosspitched:
+      return add_crossed_gables(shell);
     case RoofShape::hipped:
       return add_hip(shell);
     case RoofShape::half_hipped:

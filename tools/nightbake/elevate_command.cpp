@@ -14,6 +14,7 @@
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
 #include "tools/bake/city/city.h"
+#include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/report_text.h"
 #include "tools/elevation/elevate.h"
@@ -53,8 +54,7 @@ bake::BakeOptions read_options(const ElevateArguments& arguments) {
   return options;
 }
 
-Outcome elevate(const ElevateArguments& arguments) {
-  const bake::BakeOptions options = read_options(arguments);
+Outcome elevate(const bake::BakeOptions& options, const ElevateArguments& arguments) {
   bake::City city(options.city);
   elevation::ElevationSources sources;
   std::optional<elevation::DemRaster> dem;
@@ -115,7 +115,9 @@ void print(const Outcome& outcome) {
 }
 
 void run(const ElevateArguments& arguments) {
-  const Outcome outcome = elevate(arguments);
+  bake::BakeOptions options = read_options(arguments);
+  const Outcome outcome =
+      bake::use_best_levels(options.city, [&] { return elevate(options, arguments); });
   if (!arguments.json) return print(outcome);
   const elevation::Elevations& found = outcome.elevations;
   const json result = {{"lamps", outcome.lamps},

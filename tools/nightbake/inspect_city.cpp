@@ -122,6 +122,7 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
     if (degrees.min.x < -180) box[0] = degrees.min.x + 360;
   }
   for (const auto& [what, count] : report.skipped) result["skipped"][what] = count;
+  result["passed_over"] = report.passed_over;
   result["version"] = report.version;
   result["srs_name"] = head.srs_name;
   result["crs_description"] = frame ? frame->description() : frame_error;

@@ -13,6 +13,7 @@
 #include "formats/program/print_json.h"
 #include "formats/to_lower.h"
 #include "tools/bake/bake_options.h"
+#include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/layout_report.h"
 #include "tools/bake/report/light_report.h"
@@ -49,11 +50,7 @@ void write(const bake::City& city, const lights::LampSet& lamps, const std::file
                            [&](const glm::dvec2& p) { return city.frame().to_lon_lat(p); });
 }
 
-void run(const LampsArguments& arguments) {
-  const std::string extension = to_lower(arguments.out.extension().string());
-  if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
-    throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
-  const bake::BakeOptions options = read_options(arguments);
+void place_lamps(const bake::BakeOptions& options, const LampsArguments& arguments) {
   bake::City city(options.city);
   bake::CityLamps lamps;
   {
@@ -71,6 +68,14 @@ void run(const LampsArguments& arguments) {
   } else {
     fmt::print("{}{}", bake::to_text(report), bake::to_text(lamps.layout, false));
   }
+}
+
+void run(const LampsArguments& arguments) {
+  const std::string extension = to_lower(arguments.out.extension().string());
+  if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
+    throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
+  bake::BakeOptions options = read_options(arguments);
+  bake::use_best_levels(options.city, [&] { place_lamps(options, arguments); });
 }
 
 }  // namespace

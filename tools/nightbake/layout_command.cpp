@@ -11,6 +11,7 @@
 
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
+#include "tools/bake/city/object_versions.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/report/layout_report.h"
 #include "tools/bake/stages/lamp_stage.h"
@@ -26,8 +27,7 @@ struct LayoutArguments {
   bool json = false;
 };
 
-void run(const LayoutArguments& arguments) {
-  const bake::BakeOptions options = bake::to_bake_options(bake::read_recipe(arguments.recipe));
+void lay_out(const bake::BakeOptions& options, const LayoutArguments& arguments) {
   bake::City city(options.city);
   city.frames();  // the command needs a city model
   bake::CityLamps lamps;
@@ -49,6 +49,11 @@ void run(const LayoutArguments& arguments) {
   else
     fmt::print("{} lamps mapped\n{}", lamps.set.lamps.size() - lamps.layout.lamps,
                bake::to_text(lamps.layout, streets));
+}
+
+void run(const LayoutArguments& arguments) {
+  bake::BakeOptions options = bake::to_bake_options(bake::read_recipe(arguments.recipe));
+  bake::use_best_levels(options.city, [&] { lay_out(options, arguments); });
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
+#include "tools/bake/city/object_versions.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/traffic_report.h"
@@ -44,9 +45,7 @@ Georeference find_georeference(const bake::City& city, const std::optional<Light
   return lights->georeference();
 }
 
-void run(const TrafficArguments& arguments) {
-  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
-  if (arguments.vehicles) options.traffic.vehicles = arguments.vehicles;
+void make_traffic(const bake::BakeOptions& options, const TrafficArguments& arguments) {
   std::optional<LightFile> lights;
   LightFileContent content;
   if (!arguments.lights.empty()) {
@@ -71,6 +70,12 @@ void run(const TrafficArguments& arguments) {
   } else {
     fmt::print("{}{}", bake::to_text(streets), bake::to_text(traffic.report));
   }
+}
+
+void run(const TrafficArguments& arguments) {
+  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
+  if (arguments.vehicles) options.traffic.vehicles = arguments.vehicles;
+  bake::use_best_levels(options.city, [&] { make_traffic(options, arguments); });
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
 #include "tools/bake/city/building_uses.h"
+#include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/report/report_text.h"
@@ -40,12 +41,14 @@ bake::LightsReport write_windows(const WindowsArguments& arguments) {
   if (arguments.seed_given) options.windows.seed = arguments.seed;
   // First: an output that cannot be written is known before the long work.
   LightFileWriter lights(arguments.out);
-  bake::City city(options.city);
-  bake::WindowConsumer windows(bake::make_use_finder(city), options.windows, arguments.out);
-  ShownProgress progress;
-  city.read({&windows}, progress.sink());
-  city.build_ground({&windows});
-  return bake::write_window_lights(lights, city, windows);
+  return bake::use_best_levels(options.city, [&] {
+    bake::City city(options.city);
+    bake::WindowConsumer windows(bake::make_use_finder(city), options.windows, arguments.out);
+    ShownProgress progress;
+    city.read({&windows}, progress.sink());
+    city.build_ground({&windows});
+    return bake::write_window_lights(lights, city, windows);
+  });
 }
 
 void run(const WindowsArguments& arguments) {

@@ -148,6 +148,9 @@ void tell_placement(const city::Document& document, const Vertices& vertices,
         ": an OBJ names neither unit nor place: its coordinates are taken as metres of the city's "
         "system ([city] obj_unit_m and obj_origin say otherwise)" +
         describe_size(document, vertices));
+  if (report.objects == 0)
+    report.warnings.push_back(document.name +
+                              ": has vertices and no faces: points have no surface that is seen");
   if (vertices.grouping == Grouping::by_connection)
     report.warnings.push_back(document.name +
                               ": names no parts (o, g): faces that hang together are one building");
@@ -158,11 +161,13 @@ void tell_placement(const city::Document& document, const Vertices& vertices,
 bool begins_as_obj(std::string_view start) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   int statements = 0;
+  bool goes_on = false;  // a backslash has the line go on with the next
   while (!start.empty()) {
     const std::size_t end = std::min(start.find_first_of("\r\n"), start.size());
     std::string_view line = start.substr(0, end);
     const bool whole = end < start.size();
     start.remove_prefix(std::min(end + 1, start.size()));
+    if (std::exchange(goes_on, line.ends_with('\\') || (goes_on && line.empty()))) continue;
     const std::string_view key = take_word(line);
     if (key.empty() || key.front() == '#') continue;
     double number = 0;

@@ -16,6 +16,7 @@
 #include "formats/light_file.h"
 #include "formats/scene_reader.h"
 #include "support/data.h"
+#include "support/pack_zip.h"
 #include "support/temp_folder.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tools/bake/scene/materials.h"
@@ -795,6 +796,16 @@ TEST(Bake, HierarchiesOfAllThatStandsStillAreStoredUnlessARecipeSaysNo) {
     }
   EXPECT_EQ(stored.lower, lower);
   EXPECT_EQ(stored.upper, upper);
+}
+
+TEST(Bake, TheReportCountsTheFilesOfAnArchiveThatAreNotRead) {
+  const TempFolder folder;
+  test::pack_zip(folder / "all.zip",
+                 {{"a.gml", test::sample_gml()}, {"a.pdf", "%PDF"}, {"b.pdf", "%PDF"}});
+  const BakeReport report = bake(make_recipe({folder / "all.zip"}), folder / "out");
+  const auto written = nlohmann::json::parse(read_text(folder / "out" / "bake_report.json"));
+  EXPECT_EQ(written["citygml"]["passed_over"], nlohmann::json({{".pdf", 2}}));
+  EXPECT_NE(to_text(report).find("passed over files in archives: 2 .pdf"), std::string::npos);
 }
 
 TEST(Bake, OneThreadAndManyGiveTheSameBytes) {

@@ -139,9 +139,13 @@ TEST(CityGmlForms, AMatrixIsHomogeneous) {
   const City city = read(city_model(furniture("40 0 0 2 0 20 0 0 0 0 2 0 0 0 0 2", "100 200 30")));
   EXPECT_EQ(city.objects.at(0).polygons.at(0).exterior,
             (city::Ring{{101, 200, 30}, {121, 200, 30}, {121, 210, 30}}));
-  // One with its columns for rows would lose where it puts the shape.
-  const City turned = read(city_model(furniture("1 0 0 0 0 1 0 0 0 0 1 0 5 5 5 1", "100 200 30")));
-  EXPECT_EQ(turned.report.skipped.at("implicit geometry: matrix that is none"), 1u);
+  // One with its columns for rows says where it puts the shape in its last row.
+  const City turned =
+      read(city_model(furniture("20 0 0 0 0 10 0 0 0 0 1 0 1 0 0 1", "100 200 30")));
+  EXPECT_EQ(turned.objects.at(0).polygons.at(0).exterior,
+            (city::Ring{{101, 200, 30}, {121, 200, 30}, {121, 210, 30}}));
+  const City both = read(city_model(furniture("1 0 0 5 0 1 0 0 0 0 1 0 5 5 5 1", "100 200 30")));
+  EXPECT_EQ(both.report.skipped.at("implicit geometry: matrix that is none"), 1u);
 }
 
 TEST(CityGmlForms, ShapesAreInMetresWhereTheCityIsInDegrees) {

@@ -1,6 +1,7 @@
 // CityJSON as tools write it beyond the examples of the specification.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/tools/cityjson/read_text.h"
@@ -96,6 +97,53 @@ TEST(CityJsonProducers, ASequenceMayHaveRecordSeparators) {
                            feature("b", object("b", "Building", solid()));
   EXPECT_TRUE(begins_as_cityjson(text));
   EXPECT_EQ(read_city(text).objects.size(), 2u);
+}
+
+TEST(CityJsonProducers, StoreysHaveOtherNamesAndHeightsTheirUnits) {
+  const std::string plan = "{\"type\":\"MultiSurface\",\"lod\":\"0\",\"boundaries\":[[[0,1,2,3]]]}";
+  for (const char* said : {"\"levels\":3", "\"Anzahl_Geschosse\":\"3\"", "\"height\":\"9 m\"",
+                           "\"Hoehe\":\"9,0\"", "\"bouwlagen\":3.0"}) {
+    const City city = read_city(
+        city_json(object("b", "Building", plan, "\"attributes\":{" + std::string(said) + "}")));
+    double top = 0;
+    for (const city::Polygon& polygon : city.objects.at(0).polygons)
+      for (const glm::dvec3& p : polygon.exterior) top = std::max(top, p.z);
+    EXPECT_DOUBLE_EQ(top, 30 + 9) << said;
+  }
+}
+
+TEST(CityJsonProducers, StoreysAreTheBuildingWhereItHasNothingElse) {
+  const std::string storey = object("s", "BuildingStorey", solid(), "\"parents\":[\"b\"]");
+  const std::string children = "\"children\":[\"s\"]";
+  const City hollow = read_city(city_json(object("b", "Building", "", children) + "," + storey));
+  ASSERT_EQ(hollow.objects.size(), 1u);
+  EXPECT_NEAR(volume(hollow.objects[0]), 24, 1e-9);
+  const City whole =
+      read_city(city_json(object("b", "Building", solid(), children) + "," + storey));
+  EXPECT_EQ(whole.objects.at(0).polygons.size(), 6u);
+  EXPECT_EQ(whole.report.skipped.at("BuildingStorey"), 1u);
+}
+
+TEST(CityJsonProducers, AMatrixOfATemplateMayBeWrittenInColumns) {
+  const std::string templates =
+      "\"geometry-templates\":{\"templates\":[{\"type\":\"MultiSurface\",\"lod\":\"1\","
+      "\"boundaries\":[[[0,1,2]]]}],\"vertices-templates\":[[0,0,0],[1,0,0],[0,1,0]]}";
+  for (const char* matrix :
+       {"1,0,0,5,0,1,0,6,0,0,1,7,0,0,0,1", "1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1"}) {
+    const std::string placed =
+        "{\"type\":\"GeometryInstance\",\"template\":0,\"boundaries\":[0],"
+        "\"transformationMatrix\":[" +
+        std::string(matrix) + "]}";
+    const City city = read_city(city_json(object("f", "CityFurniture", placed), templates));
+    EXPECT_EQ(city.objects.at(0).polygons.at(0).exterior.at(0), glm::dvec3(15, 26, 37)) << matrix;
+  }
+}
+
+TEST(CityJsonProducers, AFeatureMayHaveATransformOfItsOwn) {
+  const City city =
+      read_city(header() + feature("a", object("a", "Building", solid()),
+                                   "\"transform\":{\"scale\":[1,1,1],\"translate\":[0,0,0]}"));
+  EXPECT_NEAR(volume(city.objects.at(0)), 200.0 * 300 * 400, 1e-3);
 }
 
 }  // namespace

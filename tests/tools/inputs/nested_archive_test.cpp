@@ -1,6 +1,7 @@
 // Archives in archives, and what else than a city model an archive may hold.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,66 @@ TEST_F(NestedArchive, OtherArchivesInAFolderArePassedOver) {
             std::string::npos);
   fs::remove(folder_ / "a.gml");
   EXPECT_NE(message_of([&] { city_files(folder_.path()); }).find("no city model in this folder"),
+            std::string::npos);
+}
+
+TEST_F(NestedArchive, WhatIsPassedOverInsideIsCountedByWhatItIs) {
+  const fs::path all = write({{"a.gml", house("a")},
+                              {"doc/a.PDF", "%PDF"},
+                              {"doc/b.pdf", "%PDF"},
+                              {"in.zip", pack({{"LIESMICH", "x"}, {"deep.7z", "7z"}})},
+                              {"meta.xml", "<gmd:MD_Metadata/>"},
+                              {"m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+                              {"map.osm", "<osm version=\"0.6\"/>"}});
+  const city::ReadReport report = read_city(all, {}, [](city::CityObject&&) {});
+  const std::map<std::string, std::size_t> expected{{".pdf", 2},          {"liesmich", 1},
+                                                    {".7z", 1},           {"<MD_Metadata>", 1},
+                                                    {"Wavefront OBJ", 1}, {"OSM", 1}};
+  EXPECT_EQ(report.passed_over, expected);
+  EXPECT_TRUE(
+      read_city(write({{"a.gml", house("a")}}), {}, [](city::CityObject&&) {}).passed_over.empty());
+}
+
+// Deliveries in archives that are not read: the remedy is told wherever they lie.
+TEST_F(NestedArchive, OtherKindsOfArchivesAreToldInFoldersToo) {
+  const std::string tar = std::string(257, '\0') + "ustar" + std::string(250, '\0');
+  const std::vector<std::pair<std::string, std::string>> kinds{
+      {"a.7z", std::string("7z\xBC\xAF\x27\x1C") + std::string(40, '\0')},
+      {"a.rar", std::string("Rar!\x1A\x07\x01") + std::string(40, '\0')},
+      {"a.tar", tar},
+      {"a.tar.bz2", "BZh91AY&SY"},
+      {"a.txz", std::string("\xFD"
+                            "7zXZ\0",
+                            6)}};
+  for (const auto& [name, bytes] : kinds) {
+    test::write_text(folder_ / name, bytes);
+    for (const auto& what : {folder_ / name, folder_.path()}) {
+      const std::string message = message_of([&] { find_format(city_files(what).front()); });
+      EXPECT_NE(message.find(name), std::string::npos) << message;
+      EXPECT_NE(message.find("unpack it first"), std::string::npos) << message;
+    }
+    fs::remove(folder_ / name);
+  }
+  test::write_text(folder_ / "a.gml", house("a"));
+  test::write_text(folder_ / "b.7z", kinds.front().second);
+  EXPECT_EQ(city_files(folder_.path()), std::vector<fs::path>{folder_ / "a.gml"});
+}
+
+TEST_F(NestedArchive, ModelsOfOtherProgramsAreNamedWithTheRemedy) {
+  const auto message = [&](const std::string& name, const std::string& bytes) {
+    test::write_text(folder_ / name, bytes);
+    return message_of([&] { find_format(folder_ / name); });
+  };
+  EXPECT_NE(message("a.skp", "\xFF\xFE\xFF\x0E").find("export it as Wavefront OBJ"),
+            std::string::npos);
+  EXPECT_NE(message("a.wrl", "#VRML V2.0 utf8\n").find("is VRML: export it"), std::string::npos);
+  EXPECT_NE(message_of([&] {
+              find_format(write({{"a.ifc", "ISO-10303-21;\n"}}));
+            }).find("but a.ifc, which is IFC or another STEP file: export it"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              find_format(write({{"3dSceneLayer.json", "{\"layerType\":\"3DObject\"}"}}));
+            }).find("is a scene layer of I3S: the CityGML"),
             std::string::npos);
 }
 

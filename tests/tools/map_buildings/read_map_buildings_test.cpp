@@ -144,7 +144,8 @@ TEST(MapBuildings, HeightsComeFromTagsInTheirOrder) {
   // Roofs: levels of the roof stand on those of the building; "height" reaches the roof's top.
   expect_near(volume_of("building=yes,building:levels=2,roof:shape=gabled,roof:height=4"), 8);
   expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:levels=1"), 8.5);
-  expect_near(volume_of("building=yes,height=10,roof:shape=crosspitched"), 10);
+  expect_near(volume_of("building=yes,height=10,roof:shape=many"), 10);
+  expect_near(volume_of("building=yes,height=10,roof:shape=crosspitched"), 7 + 2);
   // Half of 6 m wide, and two thirds of that in the mean.
   expect_near(volume_of("building=yes,height=10,roof:shape=dome"), 7 + 2);
   // The ridge runs across the way that a gable falls.
@@ -501,16 +502,35 @@ TEST(MapBuildings, ShapesOfRoofsHaveOtherNames) {
   }
 }
 
+TEST(MapBuildings, EachShapeOfTheWikiIsBuiltOrToldAsAnother) {
+  const auto read_shape = [](const std::string& shape) {
+    Map map;
+    map.add_rectangle(0, 0, 20, 8, "building=yes,height=12,roof:height=3,roof:shape=" + shape);
+    return read(map);
+  };
+  for (const char* shape :
+       {"butterfly", "sawtooth", "gabled_row", "double_saltbox", "quadruple_saltbox", "side_hipped",
+        "side_half-hipped", "hipped-and-gabled", "crosspitched", "Barrel"}) {
+    const Read result = read_shape(shape);
+    EXPECT_TRUE(result.report.skipped.empty()) << shape;
+    EXPECT_LT(volume(result.objects.at(0)), 160 * 12 - 1) << shape;
+    EXPECT_GT(volume(result.objects.at(0)), 160 * 9 + 1) << shape;
+  }
+  const Read near = read_shape("zakopane");
+  EXPECT_EQ(near.report.skipped.at("roof:shape=zakopane, shown as hipped"), 1u);
+  EXPECT_LT(volume(near.objects.at(0)), 160 * 12 - 1);
+}
+
 TEST(MapBuildings, WhatIsAssumedOrNotShownIsCounted) {
   Map map;
   map.add_rectangle(0, 0, 10, 6, "building=yes");
-  map.add_rectangle(20, 0, 10, 6, "building=yes,height=9,roof:shape=crosspitched");
+  map.add_rectangle(20, 0, 10, 6, "building=yes,height=9,roof:shape=many");
   map.add_rectangle(40, 0, 10, 6, "building=yes,height=3,min_height=5");
   map.add_rectangle(60, 0, 10, 6, "building=construction,height=3");
   const Read result = read(map);
   EXPECT_EQ(result.objects.size(), 3u);
   EXPECT_EQ(result.report.assumed.at("height of a building that the map does not say"), 1u);
-  EXPECT_EQ(result.report.skipped.at("roof:shape=crosspitched, shown flat"), 1u);
+  EXPECT_EQ(result.report.skipped.at("roof:shape=many, shown flat"), 1u);
   EXPECT_EQ(result.report.skipped.at("building whose min_height is not below its height"), 1u);
   EXPECT_EQ(result.report.skipped.at("building below the ground, not built or gone"), 1u);
 }

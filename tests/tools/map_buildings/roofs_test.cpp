@@ -95,6 +95,47 @@ TEST(Roofs, BrokenAndCurvedRoofsHaveTheVolumeOfTheirClosedForms) {
   expect_shell(rectangle, sizes(RoofShape::mansard), 60 * 5 + below + above);
 }
 
+TEST(Roofs, RarerRoofsHaveTheVolumeOfTheirClosedForms) {
+  const double block = 60 * 5;
+  expect_shell(rectangle, sizes(RoofShape::butterfly), block + 60 * 3 / 2.0);
+  expect_shell(rectangle, sizes(RoofShape::sawtooth), block + 60 * 3 / 2.0);
+  expect_shell(rectangle, sizes(RoofShape::gabled_row), block + 60 * 3 / 2.0);
+  expect_shell(rectangle, sizes(RoofShape::double_saltbox), block + 60 * 3 * 2 / 3.0);
+  // A gable without the wedge that the hip at one end takes: half of the width deep.
+  const double wedge = 6 * 3 / 2.0 * 3 / 3;
+  expect_shell(rectangle, sizes(RoofShape::side_hipped), block + 60 * 3 / 2.0 - wedge);
+  expect_shell(rectangle, sizes(RoofShape::side_half_hipped),
+               block + 60 * 3 / 2.0 - 3 * 1.5 / 2 * 1.5 / 3);
+  // A hipped roof, and at both ends what stands between its hip and the gable above it.
+  const double hipped = 60 * 3 / 2.0 - 2 * wedge, gable = 3 * 1.5 / 2;
+  expect_shell(rectangle, sizes(RoofShape::gablet), block + hipped + 2 * gable * 1.5 / 3);
+  // A frustum 2 m further in: Simpson's rule is exact.
+  expect_shell(rectangle, sizes(RoofShape::quadruple_saltbox),
+               block + 3 / 6.0 * (60 + 4 * 8 * 4 + 6 * 2));
+  expect_shell(rectangle, sizes(RoofShape::crosspitched), block + 60 * 3 * 2 / 3.0);
+}
+
+TEST(Roofs, TeethFallTheWayThatTheirTagSays) {
+  const Outline hall{{{0, 0}, {24, 0}, {24, 10}, {0, 10}}, {}};
+  const auto slopes = [&](double direction) {
+    BuildingSizes s = sizes(RoofShape::sawtooth);
+    s.direction_degrees = direction;
+    bool flat = false;
+    int count = 0;
+    for (const city::Polygon& polygon : make_shell(hall, s, flat)) {
+      const glm::dvec3 normal = glm::normalize(city::area_vector(polygon.exterior));
+      if (polygon.surface != city::SurfaceType::roof || normal.z < 0.5) continue;
+      const double angle = direction * std::numbers::pi / 180;
+      EXPECT_GT(normal.x * std::sin(angle) + normal.y * std::cos(angle), 0.3);
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(slopes(90), 4) << "each of 6 m";
+  EXPECT_EQ(slopes(270), 4);
+  EXPECT_EQ(slopes(0), 2);
+}
+
 double volume_of(const Outline& outline, const BuildingSizes& s) {
   bool flat = false;
   const auto shell = make_shell(outline, s, flat);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 
@@ -224,6 +225,23 @@ TEST(Obj, NamesSayWhatIsNoBuilding) {
   EXPECT_EQ(find_object_type("Broadway Building"), city::ObjectType::building);
   EXPECT_EQ(find_object_type("underground"), city::ObjectType::building);
   EXPECT_EQ(find_object_type(""), city::ObjectType::building);
+}
+
+TEST(Obj, AFileThatBreaksItsFirstLineIsRecognised) {
+  EXPECT_TRUE(begins_as_obj("v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  EXPECT_TRUE(begins_as_obj("v 0 \\\r\n0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"));
+  EXPECT_FALSE(begins_as_obj("v 0 0 0 \\\nx\ny z\n"));
+}
+
+TEST(Obj, VerticesWithoutFacesAreTold) {
+  const auto is_told = [](const std::string& faces) {
+    const City city = read_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + faces);
+    return std::any_of(city.report.warnings.begin(), city.report.warnings.end(),
+                       [](const std::string& w) { return w.find("no faces") != w.npos; });
+  };
+  EXPECT_TRUE(is_told(""));
+  EXPECT_TRUE(is_told("p 1 2 3\n"));
+  EXPECT_FALSE(is_told("f 1 2 3\n"));
 }
 
 TEST(Obj, AFileIsRecognisedByItsStatements) {

@@ -20,6 +20,7 @@
 namespace nightcity::bake {
 
 class PictureBudget;
+struct OutdatedVersions;
 
 struct CityInputs {
   std::filesystem::path recipe;              // that names the files; empty: they were given alone
@@ -49,6 +50,9 @@ struct CityInputs {
   /// The result of an earlier look at all inputs: the city does not look again, and reads only the
   /// buildings of the map. Null: the city looks itself.
   std::shared_ptr<const CitySurvey> survey;
+  /// Versions of objects to be left out since better ones stand elsewhere (use_best_levels); null:
+  /// none is known.
+  std::shared_ptr<const OutdatedVersions> outdated;
   /// Finished parts of this bake, in order: the objects come from them. Empty: from the files.
   std::vector<std::filesystem::path> parts;
 

@@ -1,7 +1,9 @@
 #include "tools/bake/city/object_feed.h"
 
+#include <glm/common.hpp>
 #include <utility>
 
+#include "formats/checksum.h"
 #include "tools/bake/city/prepared_objects.h"
 
 namespace nightcity::bake {
@@ -27,11 +29,32 @@ const char* find_reason(Unusable unusable) {
   return nullptr;
 }
 
+ObjectVersion describe_version(const ReadyObject& ready, const glm::dvec3& reference) {
+  const city::CityObject& object = ready.prepared->object;
+  ObjectVersion version;
+  version.id = checksum(object.id.data(), object.id.size());
+  version.identity = ready.identity;
+  version.contents = ready.contents;
+  version.lod = static_cast<std::int8_t>(object.lod);
+  version.type = object.type;
+  const auto& positions = ready.prepared->mesh.positions;
+  if (positions.empty()) return version;
+  glm::dvec3 low = positions.front(), high = low;
+  for (const glm::dvec3& p : positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const glm::vec2 least(low - reference), greatest(high - reference);
+  version.box = {least.x, least.y, greatest.x, greatest.y};
+  return version;
+}
+
 }  // namespace
 
 ObjectFeed::Batch::Item ObjectFeed::prepare(ReadyObject&& ready) const {
-  Batch::Item item{std::move(ready), {}};
+  Batch::Item item{std::move(ready), {}, {}};
   if (item.ready.unknown || item.ready.unusable != Unusable::no) return item;
+  item.version = describe_version(item.ready, frames_.reference());
   for (CityConsumer* consumer : consumers_)
     if (auto turn = consumer->prepare(item.ready.prepared)) item.turns.push_back(std::move(turn));
   return item;
@@ -61,6 +84,7 @@ void ObjectFeed::end_file(const city::ReadReport& read) {
 }
 
 CityReport ObjectFeed::finish() {
+  versions_.finish();
   auto& warnings = report_.read.warnings;
   warnings.insert(warnings.begin(), frames_.warnings().begin(), frames_.warnings().end());
   return std::move(report_);
@@ -95,7 +119,8 @@ void ObjectFeed::take(Batch::Item&& item) {
   // A piece after one that was left out is not a further one.
   const bool continues = object.continues && object.id == last_id_;
   const char* left_out = find_reason(item.ready.unusable);
-  const char* repeat = left_out || continues ? nullptr : find_repeat(item.ready);
+  item.version.file = static_cast<std::uint32_t>(file_);
+  const char* repeat = left_out || continues ? nullptr : find_repeat(item);
   if (repeat) {
     last_id_.clear();
     left_out = repeat;
@@ -111,14 +136,14 @@ void ObjectFeed::take(Batch::Item&& item) {
   if (!item.ready.prepared->mesh.triangles.empty()) last_id_ = object.id;
 }
 
-// Neighbouring files may share objects, in other levels of detail, too. In one file two objects may
-// have one id and a corner in common, and still be two.
-const char* ObjectFeed::find_repeat(const ReadyObject& ready) {
-  if (ready.identity == 0) return nullptr;
-  const auto [found, is_new] = seen_.try_emplace(ready.identity, Seen{file_, ready.contents});
-  if (is_new) return nullptr;
-  if (found->second.file != file_) return "in two files";
-  return found->second.contents == ready.contents ? "twice in one file" : nullptr;
+// Returns why an object is left out for another one; null: it is not. The pieces of a large object
+// share its fate.
+const char* ObjectFeed::find_repeat(const Batch::Item& item) {
+  const city::CityObject& object = item.ready.prepared->object;
+  if (object.continues && object.id == repeated_id_) return repeated_;
+  repeated_ = versions_.take(item.version, object.joined_ids);
+  repeated_id_ = repeated_ ? object.id : std::string();
+  return repeated_;
 }
 
 }  // namespace nightcity::bake

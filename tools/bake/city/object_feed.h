@@ -5,10 +5,10 @@
 #include <map>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "tools/bake/city/city_consumer.h"
+#include "tools/bake/city/object_versions.h"
 #include "tools/bake/city/ready_object.h"
 #include "tools/bake/progress.h"
 #include "tools/bake/report/city_report.h"
@@ -24,12 +24,14 @@ class ObjectFeed {
         frames_(frames),
         settings_(to_ready_settings(inputs, frames, heights)),
         consumers_(consumers),
-        progress_(progress) {}
+        progress_(progress),
+        versions_(inputs.outdated, inputs.read.max_lod) {}
 
   /// Objects that have been through the consumers' work for many threads.
   struct Batch {
     struct Item {
       ReadyObject ready;
+      ObjectVersion version;
       std::vector<CityConsumer::Turn> turns;
     };
     std::vector<Item> items;
@@ -42,20 +44,20 @@ class ObjectFeed {
   /// Says that they do no more. `read`: the report of reading it.
   void end_file(const city::ReadReport& read);
   /// Gives the objects their turns, in file order. An object that an earlier file has brought,
-  /// or the same file with the same outlines, is left out and counted.
+  /// or the same file with the same outlines, is left out and counted, as is one that is there in a
+  /// better level of detail.
   void take(Batch&& batch);
 
-  /// To be called once, as the last function.
+  /// To be called once, as the last function. Throws BetterLevelsFollow.
   CityReport finish();
 
   const ReadySettings& settings() const { return settings_; }
 
  private:
   Batch::Item prepare(ReadyObject&& ready) const;
+  const char* find_repeat(const Batch::Item& item);
   void learn_crs(city::CityObject&& object, Batch::Item& item);
   void take(Batch::Item&& item);
-  /// Returns why an object repeats an earlier one, as it is counted; null: it is new.
-  const char* find_repeat(const ReadyObject& ready);
 
   const CityInputs& inputs_;
   CityFrames& frames_;
@@ -65,12 +67,10 @@ class ObjectFeed {
   CityReport report_;
   std::size_t file_ = 0, taken_ = 0;
   std::string stage_, last_id_;
+  std::string repeated_id_;                       // of the object before, where it was a repeat
+  const char* repeated_ = nullptr;                // and why
   std::map<std::string, std::size_t> elsewhere_;  // objects of this file, by the CRS they name
-  struct Seen {
-    std::size_t file;  // that brought it
-    std::uint64_t contents;
-  };
-  std::unordered_map<std::uint64_t, Seen> seen_;  // by identity
+  ObjectVersions versions_;
 };
 
 }  // namespace nightcity::bake

@@ -31,6 +31,7 @@ city::CityObject strip(const city::CityObject& object) {
   stripped.storey_heights_m = object.storey_heights_m;
   stripped.lod = object.lod;
   stripped.of_map = object.of_map;
+  stripped.joined_ids = object.joined_ids;
   stripped.plant = object.plant;
   stripped.points = object.points;
   stripped.lines = object.lines;

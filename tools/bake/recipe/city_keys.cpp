@@ -96,7 +96,8 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        bounds_key(city.bounds),
        integer_key("lod", city.read.max_lod, 0, 4,
                    "The highest level of detail to use. Each object takes its highest one up to "
-                   "this, or its lowest one if all are higher."),
+                   "this, or its lowest one if all are higher. So does an object that several "
+                   "files or documents have in a level each."),
        choice_key<city::Reader>(
            "reader", city.read.reader,
            {{"stream", city::Reader::stream}, {"libcitygml", city::Reader::libcitygml}},
@@ -132,7 +133,8 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                    "times as much memory."),
        integer_key("max_linked_vertices", city.read.max_linked_vertices, 1, 1'000'000'000,
                    "A limit: links between the objects of a file are followed until they have led "
-                   "to this many vertices. What lies beyond is skipped and counted."),
+                   "to this many vertices, and to objects of 40 bytes of text for each. What lies "
+                   "beyond is skipped and counted."),
        integer_key("max_crossings", city.read.polygon.max_crossings, 1, 1'000'000,
                    "A limit: a polygon whose outlines cross more often, for each of their points, "
                    "is left out and counted. Where streets come from the model's roads, more "

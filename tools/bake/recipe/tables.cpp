@@ -39,8 +39,8 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                 "`building:part`, `height`, `est_height`, `min_height`, `building:levels`, "
                 "`building:min_level`, `roof:shape` (flat, gabled, hipped, pyramidal, "
                 "skillion, gambrel, mansard, half-hipped, "
-                "saltbox, round, dome, onion, cone), `roof:height`, `roof:angle`, `roof:levels`, "
-                "`roof:direction`, "
+                "saltbox, round, dome, onion, cone, sawtooth, butterfly and rarer ones), "
+                "`roof:height`, `roof:angle`, `roof:levels`, `roof:direction`, "
                 "`roof:orientation`. They stand on `[terrain] dem`, each on the lowest ground "
                 "below it, or on a plane at height 0. Levels are 3 m; buildings without any "
                 "height get the levels of their kind, and are counted as assumed."),

@@ -50,6 +50,8 @@ std::string reading_in_words(const BakeReport& report) {
   text += to_text(city.mesh);
   text += report_line("skipped", in_words(city.read.skipped));
   if (!city.read.assumed.empty()) text += report_line("assumed", in_words(city.read.assumed));
+  if (!city.read.passed_over.empty())
+    text += report_line("passed over", "files in archives: " + in_words(city.read.passed_over));
   const auto& warnings = city.read.warnings;
   constexpr std::size_t shown = 3;
   for (std::size_t i = 0; i < std::min(shown, warnings.size()); ++i)
@@ -163,6 +165,7 @@ json to_json(const BakeReport& report) {
         {"left_out", report.left_out()},
         {"skipped", city.read.skipped},
         {"assumed", city.read.assumed},
+        {"passed_over", city.read.passed_over},
         {"warnings", city.read.warnings}}},
       {"mesh", to_json(city.mesh)},
       {"terrain", ground.source},

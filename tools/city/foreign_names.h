@@ -1,0 +1,39 @@
+// Says what files of other kinds are by their names, where their bytes do not.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace nightcity::city {
+
+/// Returns whether a name (in lower case) is that of a tar archive that is packed once more: its
+/// bytes show only the outer packing.
+inline bool is_packed_tar(std::string_view name) {
+  constexpr std::array<std::string_view, 7> endings{".tar.bz2", ".tbz2",    ".tbz", ".tar.xz",
+                                                    ".txz",     ".tar.zst", ".tzst"};
+  return std::any_of(endings.begin(), endings.end(),
+                     [name](std::string_view ending) { return name.ends_with(ending); });
+}
+
+/// Returns what a file without a mark at its beginning is named as, with the remedy; "" where its
+/// name says nothing.
+inline std::string_view explain_by_name(std::string_view name) {
+  struct NamedAs {
+    std::array<std::string_view, 6> endings;
+    std::string_view words;
+  };
+  constexpr std::array table{
+      NamedAs{{".asc", ".xyz", ".hgt", ".flt", ".bil", ".dem"},
+              "is named as a raster of heights: these belong in [terrain] dem"},
+      NamedAs{{".csv", ".tsv"},
+              "is named as a table: one of lamps belongs in [[lamps.inventories]]"},
+      NamedAs{{".skp", ".3ds", ".max", ".c4d", ".3dm", ".rvt"},
+              "is named as a file of a modelling program: export it as Wavefront OBJ or CityGML"}};
+  for (const NamedAs& row : table)
+    for (const std::string_view ending : row.endings)
+      if (!ending.empty() && name.ends_with(ending)) return row.words;
+  return {};
+}
+
+}  // namespace nightcity::city
