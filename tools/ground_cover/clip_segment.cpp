@@ -1,6 +1,7 @@
 #include "tools/ground_cover/clip_segment.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace nightcity::ground_cover {
@@ -27,6 +28,28 @@ double find_length_m(std::span<const glm::dvec2> line, const Box& box) {
     if (const auto part = clip_segment(line[i - 1], line[i], box))
       length_m += glm::distance(line[i - 1], line[i]) * (part->second - part->first);
   return length_m;
+}
+
+std::vector<Line> clip_line(const Line& line, const Box& box) {
+  std::vector<Line> parts;
+  bool goes_on = false;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const auto within = clip_segment(line[i], line[i + 1], box);
+    if (!within || !(within->first < within->second)) {
+      goes_on = false;
+      continue;
+    }
+    // Ends that are not cut keep their bits: other lines end there too.
+    const auto at = [&](double share) {
+      return share <= 0   ? line[i]
+             : share >= 1 ? line[i + 1]
+                          : glm::mix(line[i], line[i + 1], share);
+    };
+    if (!goes_on) parts.push_back({at(within->first)});
+    parts.back().push_back(at(within->second));
+    goes_on = within->second >= 1;
+  }
+  return parts;
 }
 
 }  // namespace nightcity::ground_cover

@@ -19,8 +19,9 @@ constexpr double bar_m = 0.5;
 // Returns whether the tags of a crossing say that it has bars.
 bool says_bars(const osm::OsmTags& tags) {
   const std::string markings = tag_of(tags, "crossing:markings"), kind = tag_of(tags, "crossing");
-  // OSM wiki, "Key:crossing:markings": a ladder is bars between two lines.
-  if (!markings.empty()) {
+  // OSM wiki, "Key:crossing:markings": a ladder is bars between two lines, and "yes" says that
+  // there are markings, whose kind `crossing` may say.
+  if (!markings.empty() && markings != "yes") {
     const auto parts = osm::split_list(markings);
     return std::any_of(parts.begin(), parts.end(), [](std::string_view part) {
       const std::string_view shape = part.substr(0, part.find(':'));

@@ -1,6 +1,9 @@
 #include "tools/ground_cover/watercourses.h"
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +18,18 @@ namespace {
 
 // Below lakes and rivers with banks, whose middle lines these are, and over land.
 constexpr int watercourse_rank = 590;
+
+struct WidthRow {
+  std::string_view waterway;
+  double m;
+};
+// The widths of OSM2World (WaterModule.WATERWAY_WIDTHS), which draws lines as we do. Rivers that
+// are much wider are areas on most maps, over which their lines are not seen. That of a tidal
+// channel is an assumption: as a river.
+constexpr std::array usual_widths{WidthRow{"river", 3},    WidthRow{"canal", 2},
+                                  WidthRow{"drain", 1},    WidthRow{"ditch", 1},
+                                  WidthRow{"stream", 0.5}, WidthRow{"tidal_channel", 3}};
+
 constexpr double least_width_m = 0.3, greatest_width_m = 2000;
 
 bool is_said(const osm::OsmTags& tags, const char* key) {
@@ -24,7 +39,6 @@ bool is_said(const osm::OsmTags& tags, const char* key) {
 
 // Returns why a line is not drawn; empty where it is.
 std::string find_reason_to_leave_out(const osm::OsmTags& tags) {
-  if (tag_of(tags, "natural") == "coastline") return "coastline: the sea is not drawn";
   if (is_said(tags, "tunnel") || is_said(tags, "covered") ||
       tag_of(tags, "location") == "underground")
     return "watercourse below the ground";
@@ -34,18 +48,28 @@ std::string find_reason_to_leave_out(const osm::OsmTags& tags) {
   return {};
 }
 
+std::optional<double> find_usual_width(const osm::OsmTags& tags) {
+  const std::string kind = tag_of(tags, "waterway");
+  for (const WidthRow& row : usual_widths)
+    if (row.waterway == kind) return row.m;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void add_watercourses(std::span<const osm::OsmWay> lines, const place::LonLatToFrame& to_frame,
                       const Box& bounds, Cover& cover) {
   Widener widener;
   for (const osm::OsmWay& way : lines) {
+    if (tag_of(way.tags, "natural") == "coastline") continue;  // of the sea (sea.h)
     const std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame, bounds);
     const double length_m = find_length_m(line, bounds);
     if (!(length_m > 0)) continue;
-    const auto width =
+    auto width =
         osm::find_length_m(way.tags, {"width", "est_width"}, least_width_m, greatest_width_m);
     std::string reason = find_reason_to_leave_out(way.tags);
+    if (reason.empty() && !width && (width = find_usual_width(way.tags)))
+      ++cover.assumed["width of a watercourse"];
     if (reason.empty() && !width) reason = "watercourse without a width";
     if (!reason.empty()) {
       cover.left_out_m[reason] += length_m;

@@ -9,10 +9,10 @@
 
 namespace nightcity::ground_cover {
 
-/// Adds watercourses to `cover` as water of the width that `width` or `est_width` says, as far as
-/// they lie in `bounds` (E, N, m): over land, and under streets and squares. Those that say no
-/// width, run below the ground or on a bridge, or are dry at times are left out, and counted in
-/// metres; so are coastlines, because the sea is not drawn.
+/// Adds watercourses to `cover` as water of the width that `width` or `est_width` says, else of the
+/// one that is usual for the kind of `waterway`, as far as they lie in `bounds` (E, N, m): over
+/// land, and under streets and squares. Those that run below the ground or on a bridge, or are dry
+/// at times, are left out, and counted in metres. Coastlines are the sea's (sea.h).
 void add_watercourses(std::span<const osm::OsmWay> lines, const place::LonLatToFrame& to_frame,
                       const Box& bounds, Cover& cover);
 

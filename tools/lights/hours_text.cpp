@@ -1,11 +1,14 @@
 #include "tools/lights/hours_text.h"
 
+#include <chrono>
 #include <string>
 #include <utility>
 
 #include "formats/to_lower.h"
+#include "tools/lights/hours_dates.h"
 #include "tools/lights/hours_words.h"
 #include "tools/osm/tag_values.h"
+#include "tools/today.h"
 
 namespace nightcity::lights {
 namespace {
@@ -17,9 +20,11 @@ constexpr int sunset = 17 * hour, sunrise = 7 * hour;  // around our night
 // The day of the night's evening; its morning is the next one's.
 constexpr int wednesday = 2, june = 5, december = 11, day_of_month = 15;
 constexpr int week_of_june = 25, week_of_december = 51;
+// Both days are the third of their weekday in their month, from its beginning and from its end.
+constexpr int occurrence = 3;
 
-bool is_within(int at, int first, int last) {
-  return first <= last ? first <= at && at <= last : first <= at || at <= last;
+int find_this_year() {
+  return static_cast<int>(std::chrono::year_month_day(today()).year());
 }
 
 class RuleReader {
@@ -43,7 +48,7 @@ class RuleReader {
 
  private:
   bool read_rule(HoursRule& rule) {
-    if (!read_weeks(rule) || !read_seasons(rule) || !read_weekdays(rule)) return false;
+    if (!read_weeks(rule) || !read_dates(rule) || !read_weekdays(rule)) return false;
     if (rule.is_for_some_days) take(text_, ":");
     if (take(text_, "24/7")) {
       rule.spans.push_back({0, day});
@@ -60,7 +65,11 @@ class RuleReader {
     return !rule.spans.empty() || rule.is_off;
   }
 
-  // Reads "week 40-53", "week 1-13,40-53". Every second week may be ours or not.
+  static bool begins_with_minutes(string_view text) {
+    return text.size() > 1 && text[0] == ':' && text[1] >= '0' && text[1] <= '9';
+  }
+
+  // Reads "week 40-53", "week 1-13,40-53".
   bool read_weeks(HoursRule& rule) {
     if (!take_word(text_, {"week"})) return true;
     const int week = month_ == june ? week_of_june : week_of_december;
@@ -70,7 +79,8 @@ class RuleReader {
       const auto first = take_digits(text_, 2);
       auto last = first;
       if (first && take(text_, "-")) last = take_digits(text_, 2);
-      if (!first || !last || text_.starts_with('/')) return false;
+      // Every second week may be ours or not, and a number before minutes is an hour.
+      if (!first || !last || text_.starts_with('/') || begins_with_minutes(text_)) return false;
       holds = holds || is_within(week, *first, *last);
     } while (take(text_, ","));
     rule.is_for_some_days = true;
@@ -78,40 +88,52 @@ class RuleReader {
     return true;
   }
 
-  // Reads "Oct-Mar", "Jan,Feb", "Oct 15-Mar 15", "Dec 24-26".
-  bool read_seasons(HoursRule& rule) {
-    bool holds = false, any = false;
-    string_view behind = text_;
-    while (const auto month = take_month(behind)) {
-      const auto number = take_day_of_month(behind);
-      int first = 100 * *month + number.value_or(1), last = 100 * *month + number.value_or(31);
-      if (string_view to = behind; take(to, "-")) {
-        const auto last_month = take_month(to);
-        const auto last_number = take_day_of_month(to);
-        if (!last_month && !last_number) return false;
-        last = 100 * last_month.value_or(*month) + last_number.value_or(31);
-        behind = to;
-      }
-      holds = holds || is_within(100 * month_ + day_of_month, first, last);
-      text_ = behind;
-      any = true;
-      if (!take(behind, ",")) break;
-    }
-    rule.is_for_some_days = rule.is_for_some_days || any;
-    for (bool& day_holds : rule.holds) day_holds = day_holds && (holds || !any);
+  // Reads "Oct-Mar", "2025 Dec 24-26", "easter". There is no year in a night of ours: it is this
+  // one, as for all dates of a map.
+  bool read_dates(HoursRule& rule) {
+    const DatesHold dates = take_dates(text_, {find_this_year(), month_, day_of_month});
+    if (dates == DatesHold::unread) return false;
+    if (dates == DatesHold::not_said) return true;
+    rule.is_for_some_days = true;
+    for (bool& day_holds : rule.holds) day_holds = day_holds && dates == DatesHold::yes;
     return true;
   }
 
-  // Reads "Mo-Fr", "Sa,Su", "Mo, We", "PH".
+  // Takes "[1]", "[1,3]", "[-1]" behind a weekday, which count it in its month. Returns whether
+  // ours is among them; empty where that cannot be read.
+  static std::optional<bool> take_occurrences(string_view& text) {
+    bool holds = false;
+    do {
+      take(text, "-");  // from the end, where ours has the same number
+      const auto first = take_digits(text, 1);
+      auto last = first;
+      if (first && take(text, "-")) last = take_digits(text, 1);
+      if (!first || !last || *first < 1 || *first > *last || *last > 5) return {};
+      holds = holds || is_within(occurrence, *first, *last);
+    } while (take(text, ","));
+    if (!take(text, "]")) return {};
+    // "We[1] +1 day" is another day.
+    if (string_view rest = text; take(rest, "+") || take(rest, "-")) return {};
+    return holds;
+  }
+
+  // Reads "Mo-Fr", "Sa,Su", "Mo, We", "We[1]", "PH".
   bool read_weekdays(HoursRule& rule) {
     std::array<bool, 2> holds{};
     bool any = false;
     string_view behind = text_;
     while (const auto first = take_weekday(behind)) {
       auto last = first;
-      if (take(behind, "-") && !(last = take_weekday(behind))) return false;
+      bool is_ours = true;
+      if (take(behind, "[")) {
+        const auto ours = take_occurrences(behind);
+        if (!ours) return false;
+        is_ours = *ours;
+      } else if (take(behind, "-") && !(last = take_weekday(behind))) {
+        return false;
+      }
       for (int n = 0; n < 2; ++n)
-        if (*first < 7 && *last < 7 && is_within(wednesday + n, *first, *last))
+        if (is_ours && *first < 7 && *last < 7 && is_within(wednesday + n, *first, *last))
           holds[static_cast<std::size_t>(n)] = true;
       any = true;
       text_ = behind;
@@ -127,10 +149,10 @@ class RuleReader {
   // overlaps another.
   bool read_spans(HoursRule& rule) {
     string_view behind = text_;
-    while (const auto from = take_edge(behind)) {
+    while (const auto from = take_begin(behind)) {
       HoursSpan span{*from, 0};
       if (take(behind, "-") || take(behind, "_") || take(behind, "/")) {
-        const auto to = take_edge(behind);
+        const auto to = take_end(behind);
         if (!to || *from > day) return false;
         span.to = *to <= *from ? *to + day : *to;
       } else if (take(behind, "+")) {  // an open end: to the end of the night
@@ -170,6 +192,41 @@ class RuleReader {
     }
     if (minute) text = rest;
     return minute;
+  }
+
+  // Takes an hour without minutes off the front: "18".
+  static std::optional<int> take_bare_hour(string_view& text) {
+    string_view rest = text;
+    skip_spaces(rest);
+    const auto hours = take_digits(rest, 2);
+    if (!hours || *hours > 24) return {};
+    text = rest;
+    return *hours * hour;
+  }
+
+  // Takes the beginning of a span: an edge, or the hour of "18-23". That of "6-11pm" is one of the
+  // evening, and not read.
+  static std::optional<int> take_begin(string_view& text) {
+    if (const auto edge = take_edge(text)) return edge;
+    string_view rest = text;
+    const auto hours = take_bare_hour(rest);
+    string_view to = rest;
+    if (!hours || !take(to, "-")) return {};
+    const std::size_t before = to.size();
+    if (!take_end(to)) return {};
+    if (rest.substr(rest.size() - before, before - to.size()).ends_with('m')) return {};
+    text = rest;
+    return hours;
+  }
+
+  // Takes the end of a span: an edge, or an hour behind which no number or word goes on.
+  static std::optional<int> take_end(string_view& text) {
+    if (const auto edge = take_edge(text)) return edge;
+    string_view rest = text;
+    const auto hours = take_bare_hour(rest);
+    if (!hours || !(rest.empty() || rest.find_first_of(" ,;") == 0)) return {};
+    text = rest;
+    return hours;
   }
 
   string_view text_;

@@ -14,27 +14,39 @@
 #include "tools/lights/ies_table.h"
 #include "tools/lights/luminaire.h"
 #include "tools/lights/text_lines.h"
+#include "tools/lights/tm33_opening.h"
+#include "tools/lights/tm33_xml.h"
 
 namespace nightcity::lights {
 namespace {
 
 using Angles = std::pair<double, double>;  // horizontal, vertical
 
-std::string_view local_name(const pugi::xml_node& node) {
-  const std::string_view name = node.name();
-  return name.substr(name.find(':') == name.npos ? 0 : name.find(':') + 1);
-}
-
-pugi::xml_node find_child(const pugi::xml_node& parent, std::string_view name) {
-  return parent.find_child([&](const pugi::xml_node& node) { return local_name(node) == name; });
-}
-
-std::string text_of(const pugi::xml_node& parent, std::string_view name) {
-  return std::string(city::trim(find_child(parent, name).text().get()));
-}
-
 bool holds_candela(const pugi::xml_node& node) {
   return local_name(node) == "IntData" || local_name(node) == "IntensityData";
+}
+
+/// Returns whether what an element lists may be candela: in others of the same form the edition of
+/// 2022 has watts, photons, spectra and colours.
+bool may_be_luminous(const pugi::xml_node& node) {
+  const std::string_view name = local_name(node);
+  for (const char* other : {"Radiant", "Photon", "Spectral", "Angular"})
+    if (name.starts_with(other)) return false;
+  return true;
+}
+
+/// Returns the element that lists an emitter's candela: a child, or LuminousIntensity in
+/// LuminousData.
+pugi::xml_node find_distribution(const pugi::xml_node& emitter) {
+  const auto is_distribution = [](const pugi::xml_node& node) {
+    return may_be_luminous(node) && node.find_child(holds_candela);
+  };
+  for (const pugi::xml_node& child : emitter.children()) {
+    if (is_distribution(child)) return child;
+    if (may_be_luminous(child))
+      if (const pugi::xml_node inner = child.find_child(is_distribution)) return inner;
+  }
+  return {};
 }
 
 class Reader {
@@ -47,7 +59,11 @@ class Reader {
     luminaire_.name = text_of(header, "Description");
     if (luminaire_.name.empty()) luminaire_.name = text_of(header, "CatalogNumber");
     for (const pugi::xml_node& emitter : root_.children())
-      if (local_name(emitter) == "Emitter") add(emitter);
+      if (local_name(emitter) == "Emitter") {
+        add(emitter);
+        opening_.add(emitter);
+      }
+    opening_.give(luminaire_);
     if (candela_.empty()) lines_.fail(1, "no emitter of this TM-33 document lists its intensities");
     make_table();
     luminaire_.grid = unfold_table(lines_, table_);
@@ -70,10 +86,7 @@ class Reader {
 
   /// Adds the light of an emitter, where it lists some, to that of the others.
   void add(const pugi::xml_node& emitter) {
-    const auto is_distribution = [](const pugi::xml_node& node) {
-      return static_cast<bool>(node.find_child(holds_candela));
-    };
-    const pugi::xml_node distribution = emitter.find_child(is_distribution);
+    const pugi::xml_node distribution = find_distribution(emitter);
     if (!distribution) return;
     const std::size_t line = line_of(distribution);
     read_type(distribution, line);
@@ -97,7 +110,8 @@ class Reader {
 
   void read_type(const pugi::xml_node& distribution, std::size_t line) {
     const std::string metric = text_of(distribution, "Metric"),
-                      type = to_lower(text_of(distribution, "PhotometryType"));
+                      own_type = to_lower(text_of(distribution, "PhotometryType")),
+                      type = own_type.empty() ? find_device_type() : own_type;
     if (!metric.empty() && to_lower(metric) != "luminous")
       lines_.fail(line, "the intensities are of the metric \"" + metric.substr(0, 40) +
                             "\": only luminous ones are light in candela");
@@ -110,6 +124,17 @@ class Reader {
     table_.type = read;
     if (table_.last_line == 0) table_.vertical_line = table_.horizontal_line = line;
     table_.last_line = line;
+  }
+
+  /// Returns the type by the device that measured, which the standard's schema has in place of one
+  /// beside the candela.
+  std::string find_device_type() const {
+    const pugi::xml_node equipment = find_child(root_, "Equipment");
+    for (const char* device : {"Gonioradiometer", "Goniometer"})
+      if (const std::string type = text_of(find_child(equipment, device), "Type");
+          !type.empty() && to_lower(type) != "custom")
+        return to_lower(type);
+    return {};
   }
 
   void add(const pugi::xml_node& point, double scale, std::map<Angles, double>& own) const {
@@ -163,6 +188,7 @@ class Reader {
   Luminaire luminaire_;
   std::map<Angles, double> candela_;
   IesTable table_;
+  Tm33Opening opening_{lines_};
 };
 
 }  // namespace

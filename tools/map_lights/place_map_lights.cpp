@@ -1,7 +1,6 @@
 #include "tools/map_lights/place_map_lights.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "tools/map_lights/place_signs.h"
 #include "tools/map_lights/thing.h"
 #include "tools/osm/lifecycle.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/today.h"
 
@@ -34,11 +34,6 @@ constexpr double own_floodlights_m = 15;
 constexpr double usual_building_m = 12, usual_monument_m = 4, monument_m = 1.5;
 constexpr double usual_canopy_m = 5, below_canopy_m = 0.3, least_canopy_m = 2.5;
 constexpr double canopy_distance_m = 30;  // of a canopy from the node of its petrol station
-
-constexpr std::array<std::string_view, 4> flat_memorials = {"plaque", "stolperstein", "plate",
-                                                            "bench"};
-constexpr std::array<std::string_view, 4> flat_artworks = {"mural", "graffiti", "mosaic",
-                                                           "painting"};
 
 struct KnownHeight {
   double m;
@@ -61,6 +56,8 @@ class Placer {
   }
 
   MapLightSet place(std::span<const osm::OsmShiningThing> relations) {
+    for (const auto& things : {std::span(map_.shining_things), relations})
+      for (const osm::OsmShiningThing& thing : things) find_lit_pitch(thing);
     for (const osm::OsmShiningThing& thing : map_.shining_things) place(thing);
     for (const osm::OsmShiningThing& thing : relations) place(thing);
     return std::move(out_).take();
@@ -88,11 +85,17 @@ class Placer {
 
   void place_floodlights(const osm::OsmShiningThing& thing, MapLightKind kind,
                          const std::vector<glm::dvec2>& outline) {
+    if (osm::is_obstruction_light(thing.tags))
+      return out_.leave_out("obstruction light, which no kind of light here stands for");
     if (kind == MapLightKind::floodlit && is_flat(thing.tags))
       return out_.leave_out("plaque, mural or the like");
+    if (kind == MapLightKind::floodlit && is_open_tower(thing.tags))
+      return out_.leave_out("mast or lattice tower, which has no walls");
     if (!is_lit(thing, kind)) return out_.leave_out("that no tag says is lit");
-    if (kind == MapLightKind::pitch && osm::normalise_tag(find_tag(thing.tags, "covered")) == "yes")
+    if (kind == MapLightKind::pitch && is_roofed(thing.tags))
       return out_.leave_out("pitch below a roof");
+    if (kind == MapLightKind::pitch && !is_pitch(thing.tags) && holds_lit_pitch(outline))
+      return out_.leave_out("sports ground whose pitches are lit by themselves");
     std::optional<Box> box = find_box(outline);
     if (!box) box = Box{outline.front(), {1, 0}, monument_m, monument_m};
     if (box->length_m > max_box_m) return out_.leave_out("larger than 250 m");
@@ -119,14 +122,16 @@ class Placer {
     return lit == Kind::lit || floodlit == Kind::lit;
   }
 
-  // Plaques, paving stones and paintings have tags of history and art, and no walls.
-  static bool is_flat(const osm::OsmTags& tags) {
-    for (const auto& [key, words] :
-         {std::pair{"memorial", flat_memorials}, std::pair{"artwork_type", flat_artworks}})
-      if (std::find(words.begin(), words.end(), osm::normalise_tag(find_tag(tags, key))) !=
-          words.end())
-        return true;
-    return false;
+  void find_lit_pitch(const osm::OsmShiningThing& thing) {
+    if (!is_pitch(thing.tags) || !is_lit(thing, MapLightKind::pitch)) return;
+    const std::vector<glm::dvec2> outline = find_outline(thing, ground_.to_frame);
+    if (const auto box = outline.empty() ? std::nullopt : find_box(outline))
+      lit_pitches_.push_back(box->centre);
+  }
+
+  bool holds_lit_pitch(const std::vector<glm::dvec2>& outline) const {
+    return std::any_of(lit_pitches_.begin(), lit_pitches_.end(),
+                       [&](const glm::dvec2& p) { return in_ring(outline, p); });
   }
 
   bool has_floodlights(const Box& box) const {
@@ -191,7 +196,8 @@ class Placer {
           ++count;
         }
     if (count > 0 && roofs / count >= 2) return {roofs / count, ValueSource::attribute};
-    return {thing.is_way ? usual_building_m : usual_monument_m, ValueSource::rule};
+    const bool is_tall = thing.is_way || thing.tags.contains("man_made");
+    return {is_tall ? usual_building_m : usual_monument_m, ValueSource::rule};
   }
 
   const char* light_petrol_station(LitThing lit, const std::vector<glm::dvec2>& outline,
@@ -262,6 +268,7 @@ class Placer {
   const MapLightOptions& options_;
   lights::RoadIndex roads_;
   std::vector<glm::dvec2> floodlights_;  // that the map knows
+  std::vector<glm::dvec2> lit_pitches_;  // their middles
   std::vector<Roof> roofs_;              // on posts: the canopies are among them
   LightCollector out_;
   SignPlacer signs_;

@@ -1,14 +1,32 @@
 #include "tools/map_lights/thing.h"
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <string_view>
 
 #include "formats/finite.h"
 #include "tools/lights/lit_hours.h"
 #include "tools/lights/lit_tag.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::map_lights {
 namespace {
+
+constexpr std::array<std::string_view, 4> flat_memorials = {"plaque", "stolperstein", "plate",
+                                                            "bench"};
+// Lights shine through these: nothing of them would be seen.
+constexpr std::array<std::string_view, 5> open_towers = {"lattice", "guyed_lattice", "guyed_tube",
+                                                         "freestanding_lattice", "scaffolding"};
+constexpr std::array<std::string_view, 4> flat_artworks = {"mural", "graffiti", "mosaic",
+                                                           "painting"};
+
+bool names_one_of(const osm::OsmTags& tags, const char* key,
+                  std::span<const std::string_view> words) {
+  return std::find(words.begin(), words.end(), osm::normalise_tag(find_tag(tags, key))) !=
+         words.end();
+}
 
 std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind,
                                                        const osm::OsmShiningThing& thing,
@@ -32,6 +50,26 @@ std::string find_tag(const osm::OsmTags& tags, const char* key) {
   return found == tags.end() ? std::string() : found->second;
 }
 
+bool is_flat(const osm::OsmTags& tags) {
+  return names_one_of(tags, "memorial", flat_memorials) ||
+         names_one_of(tags, "artwork_type", flat_artworks);
+}
+
+bool is_open_tower(const osm::OsmTags& tags) {
+  return osm::normalise_tag(find_tag(tags, "man_made")) == "mast" ||
+         names_one_of(tags, "tower:construction", open_towers);
+}
+
+bool is_pitch(const osm::OsmTags& tags) {
+  const std::string leisure = osm::normalise_tag(find_tag(tags, "leisure"));
+  return leisure == "pitch" || leisure == "track";
+}
+
+bool is_roofed(const osm::OsmTags& tags) {
+  return osm::normalise_tag(find_tag(tags, "covered")) == "yes" ||
+         (osm::is_building(tags) && osm::normalise_tag(find_tag(tags, "leisure")) != "stadium");
+}
+
 lights::Half half_of(const osm::OsmShiningThing& thing) {
   return lights::half_at(thing.lon_lat.empty() ? 0 : thing.lon_lat.front().y);
 }
@@ -41,7 +79,8 @@ std::optional<MapLightKind> find_kind(const osm::OsmTags& tags) {
   const auto has = [&](const char* key) { return !word(key).empty() && word(key) != "no"; };
   if (has("advertising")) return MapLightKind::advertising;
   if (word("amenity") == "fuel") return MapLightKind::petrol_station;
-  if (word("leisure") == "pitch" || word("leisure") == "track") return MapLightKind::pitch;
+  if (osm::is_obstruction_light(tags)) return MapLightKind::floodlit;  // which it is not, and told
+  if (osm::is_sports_ground(tags)) return MapLightKind::pitch;
   if (has("floodlit") || has("lit")) return MapLightKind::floodlit;
   return std::nullopt;
 }

@@ -21,6 +21,17 @@ std::string find_tag(const osm::OsmTags& tags, const char* key);
 /// Returns the kind of light that the tags speak of; none where they speak of none.
 std::optional<MapLightKind> find_kind(const osm::OsmTags& tags);
 
+/// Returns whether the tags are of a plaque, a paving stone or a painting, which have tags of
+/// history and art, and no walls.
+bool is_flat(const osm::OsmTags& tags);
+/// Returns whether they are of a mast or a lattice tower, which has no walls to be lit.
+bool is_open_tower(const osm::OsmTags& tags);
+/// Returns whether they are of a pitch or a running track, and not of a ground that holds some.
+bool is_pitch(const osm::OsmTags& tags);
+/// Returns whether a place of sports is lit inside, below its roof. A stadium is open where people
+/// play, building or not.
+bool is_roofed(const osm::OsmTags& tags);
+
 /// Returns the half of the Earth that a thing stands on, which decides the season of its hours.
 lights::Half half_of(const osm::OsmShiningThing& thing);
 

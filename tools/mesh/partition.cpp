@@ -50,15 +50,18 @@ bool is_before(const glm::dvec2& a, const glm::dvec2& b) {
   return std::pair(a.x, a.y) < std::pair(b.x, b.y);
 }
 
+using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of points, the lesser first
+
 class Arrangement {
  public:
   // Throws Error where crossings make more than `max_vertices`.
   Arrangement(const std::vector<Edge>& edges, std::size_t max_vertices) {
     const std::vector<std::uint32_t> ends = number_points(edges);
     insert_points();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // each edge once
+    std::vector<Pair> pairs;  // each edge once
     for (std::size_t i = 0; i < ends.size(); i += 2)
-      if (ends[i] != ends[i + 1]) pairs.push_back(std::minmax(ends[i], ends[i + 1]));
+      if (ends[i] != ends[i + 1]) pairs.emplace_back(std::minmax(ends[i], ends[i + 1]));
+    pairs = join_overlaps(join_overlaps(std::move(pairs), 0), 1);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     for (const auto& [a, b] : pairs) {
@@ -151,6 +154,40 @@ class Arrangement {
       numbers[end.number] = static_cast<std::uint32_t>(points_.size() - 1);
     }
     return numbers;
+  }
+
+  // Returns the edges with those of one coordinate along an axis, as outlines that were cut to a
+  // rectangle have, cut at each other's ends. Where two of them overlap, a third that crosses both
+  // would else split them in one rounded vertex, which lies on neither, and CGAL would lead one of
+  // the three to an end far away.
+  std::vector<Pair> join_overlaps(std::vector<Pair> pairs, int axis) const {
+    const auto is_along = [&](const Pair& pair) {
+      return points_[pair.first][axis] == points_[pair.second][axis];
+    };
+    const auto along = std::partition(pairs.begin(), pairs.end(),
+                                      [&](const Pair& pair) { return !is_along(pair); });
+    struct Turn {
+      double line;
+      std::uint32_t point;
+      int edges;  // that begin here, less those that end
+    };
+    std::vector<Turn> turns;
+    for (auto pair = along; pair != pairs.end(); ++pair) {
+      turns.push_back({points_[pair->first][axis], pair->first, 1});
+      turns.push_back({points_[pair->first][axis], pair->second, -1});
+    }
+    pairs.erase(along, pairs.end());
+    // Numbers ascend along such a line, as points are in order.
+    std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
+      return std::pair(a.line, a.point) < std::pair(b.line, b.point);
+    });
+    int edges = 0;
+    for (std::size_t n = 0; n + 1 < turns.size(); ++n) {
+      edges += turns[n].edges;
+      if (edges > 0 && turns[n].point != turns[n + 1].point)
+        pairs.emplace_back(turns[n].point, turns[n + 1].point);
+    }
+    return pairs;
   }
 
   // All at once, because CGAL inserts a range in space-filling order.

@@ -12,9 +12,9 @@
 #include "formats/finite.h"
 #include "formats/scene_places_json.h"
 #include "tools/ground_cover/clip_segment.h"
+#include "tools/ground_cover/join_lines.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/in_ring.h"
-#include "tools/names/join_lines.h"
 #include "tools/names/lines_apart.h"
 #include "tools/names/simplify_line.h"
 #include "tools/osm/osm_selection.h"
@@ -39,29 +39,6 @@ bool lies_below_ground(const osm::OsmTags& tags) {
   const std::string tunnel = tag_of(tags, "tunnel");
   return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
          tag_of(tags, "indoor") == "yes" || tag_of(tags, "location") == "underground";
-}
-
-// Returns the parts of a line within a box.
-std::vector<Line> clip_line(const Line& line, const Box& box) {
-  std::vector<Line> parts;
-  bool goes_on = false;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const auto within = ground_cover::clip_segment(line[i], line[i + 1], box);
-    if (!within || !(within->first < within->second)) {
-      goes_on = false;
-      continue;
-    }
-    // Ends that are not cut keep their bits: other lines end there too.
-    const auto at = [&](double share) {
-      return share <= 0   ? line[i]
-             : share >= 1 ? line[i + 1]
-                          : glm::mix(line[i], line[i + 1], share);
-    };
-    if (!goes_on) parts.push_back({at(within->first)});
-    parts.back().push_back(at(within->second));
-    goes_on = within->second >= 1;
-  }
-  return parts;
 }
 
 // Returns a point inside a ring: its centroid, else the middle of the widest part of the line from
@@ -119,7 +96,8 @@ class Finder {
     if (is_area(way.tags) || !roads::find_road_class(tag_of(way.tags, "highway"))) return;
     Lines* lines = find_lines(way.tags);
     if (!lines) return;
-    for (Line& part : clip_line(ground_cover::find_line(way.lon_lat, to_frame_, bounds_), bounds_))
+    for (Line& part :
+         ground_cover::clip_line(ground_cover::find_line(way.lon_lat, to_frame_, bounds_), bounds_))
       lines->streets.push_back(std::move(part));
   }
 
@@ -180,8 +158,9 @@ class Finder {
 
   void add(const std::string& name, Lines&& named) {
     std::vector<Line> lines;
-    for (const Line& line : join_lines(std::move(named.squares))) lines.push_back(line);
-    for (const Line& line : join_lines(std::move(named.streets)))
+    for (const Line& line : ground_cover::join_lines(std::move(named.squares)))
+      lines.push_back(line);
+    for (const Line& line : ground_cover::join_lines(std::move(named.streets)))
       lines.push_back(simplify_line(line, tolerance_m));
     if (lines.empty()) return;
     ++result_.names;

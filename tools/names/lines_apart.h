@@ -1,7 +1,7 @@
 // Tells apart streets of one name.
 #pragma once
 
-#include "tools/names/line.h"
+#include "tools/line.h"
 
 namespace nightcity::names {
 

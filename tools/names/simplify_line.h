@@ -1,7 +1,7 @@
 // Leaves out points of a line that lie on it.
 #pragma once
 
-#include "tools/names/line.h"
+#include "tools/line.h"
 
 namespace nightcity::names {
 

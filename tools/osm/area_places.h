@@ -39,10 +39,9 @@ class AreaPlaces : public osmium::handler::Handler {
       version = std::max(version, way.version());
     } else if (!select_tags(way.tags(), selection_).empty()) {
       // A server that was asked for tags alone sends ways without nodes: what lacks them may be
-      // closed.
+      // closed. One that goes to a place and back encloses nothing.
       const bool closed =
-          way.nodes().empty() ||
-          (way.nodes().size() > 3 && way.nodes().front().ref() == way.nodes().back().ref());
+          way.nodes().empty() || way.nodes().front().ref() == way.nodes().back().ref();
       (closed ? closed_ways : open_ways).insert(way.id());
     }
     for (osmium::NodeRef& node : way.nodes())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <tuple>
 #include <utility>
 
@@ -83,6 +84,16 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
     return;
   }
   pending_.push_back({{id, {}, std::move(tags)}, std::move(nodes), key, version.rank(), file_});
+}
+
+void OsmCollector::add_bounds(const LonLatBox& box) {
+  if (!on_globe(box.low) || !on_globe(box.high) || box.low.x > box.high.x || box.low.y > box.high.y)
+    return;
+  if (bounded_files_ == 0 || bounded_file_ != file_) ++bounded_files_;
+  bounded_file_ = file_;
+  if (!data_.bounds) data_.bounds = box;
+  data_.bounds =
+      LonLatBox{glm::min(data_.bounds->low, box.low), glm::max(data_.bounds->high, box.high)};
 }
 
 void OsmCollector::add_relation(const OsmTags& tags) {
@@ -179,6 +190,7 @@ void OsmCollector::place_ways() {
 
 OsmData OsmCollector::finish() && {
   data_.nodes = nodes_;
+  if (bounded_files_ != file_) data_.bounds.reset();
   keep_newest(places_);
   keep_newest(way_states_);
   drop_old(lamps_, places_);

@@ -52,6 +52,8 @@ class OsmCollector {
   void count_bad_node() { ++nodes_, ++data_.bad_coordinates; }
   void add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes, OsmTags tags);
   void add_relation(const OsmTags& tags);
+  /// Adds the rectangle that a file says it holds; it may say several.
+  void add_bounds(const LonLatBox& box);
   void add_remark(std::string text) { data_.remarks.push_back(std::move(text)); }
 
   /// Gives the ways their coordinates and returns everything. Of several versions of an element the
@@ -113,7 +115,8 @@ class OsmCollector {
   std::size_t max_way_nodes_;
   Day today_ = today();
   std::size_t nodes_ = 0;
-  std::uint32_t file_ = 0;
+  std::uint32_t file_ = 0, bounded_file_ = 0;
+  std::size_t bounded_files_ = 0;
   std::vector<Place> places_;
   std::vector<State> way_states_;
   std::vector<PendingLamp> lamps_;

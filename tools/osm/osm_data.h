@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,11 @@ struct OsmWay {
   }
 };
 
+/// A rectangle of longitudes and latitudes, degrees.
+struct LonLatBox {
+  glm::dvec2 low{0, 0}, high{0, 0};
+};
+
 /// Nodes of a way. OpenStreetMap itself allows 2,000; files made of other data have longer lines.
 constexpr std::size_t default_max_way_nodes = 20'000;
 
@@ -77,6 +83,8 @@ struct OsmData {
   std::size_t long_ways = 0;     // left out: of more nodes than a reader's limit
   std::size_t crowded_ways = 0;  // left out: streets and tracks beyond max_streets_at_node
   std::size_t gone = 0;  // left out: what is gone or not built yet (lifecycle.h), lamps excepted
+  // The rectangle round what the files say that they hold, where all of them do. Ways reach beyond.
+  std::optional<LonLatBox> bounds;
   std::vector<std::string> remarks;  // of the server that made the file
 };
 

@@ -68,6 +68,11 @@ void read_osm_packed(const std::filesystem::path& file, const std::string& forma
     // Versions are part of what libosmium calls metadata.
     osmium::io::Reader reader(open_packed_map(file, format), osmium::osm_entity_bits::nwr,
                               osmium::io::read_meta::yes);
+    const osmium::io::Header header = reader.header();
+    for (const osmium::Box& box : header.boxes())
+      if (box.valid())
+        collector.add_bounds({{box.bottom_left().lon(), box.bottom_left().lat()},
+                              {box.top_right().lon(), box.top_right().lat()}});
     while (const osmium::memory::Buffer buffer = reader.read()) collect(buffer, collector);
     reader.close();
   } catch (const Error&) {

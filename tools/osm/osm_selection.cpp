@@ -40,7 +40,11 @@ constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", 
 constexpr std::array<std::string_view, 3> controls = {"stop", "give_way", "traffic_signals"};
 constexpr std::array<std::string_view, 6> watercourses = {"river", "stream", "canal",
                                                           "drain", "ditch",  "tidal_channel"};
-constexpr std::array<std::string_view, 2> pitches = {"pitch", "track"};
+constexpr std::array<std::string_view, 6> sports_grounds = {
+    "pitch", "track", "stadium", "sports_centre", "ice_rink", "skatepark"};
+constexpr std::array<std::string_view, 4> tall_things = {"tower", "mast", "chimney", "water_tower"};
+constexpr std::array<std::string_view, 4> obstruction_lights = {"obstruction_light", "obstruction",
+                                                                "aviation", "warning"};
 constexpr std::array<std::string_view, 9> churches = {"church", "cathedral", "chapel",
                                                       "mosque", "synagogue", "temple",
                                                       "castle", "monastery", "shrine"};
@@ -76,15 +80,27 @@ bool is_barrier(const OsmTags& tags) {
   return is_gate(tags) && !is_highway(tags) && !is_building(tags);
 }
 
+bool is_sports_ground(const OsmTags& tags) {
+  return has_one_of(tags, "leisure", sports_grounds);
+}
+
+bool is_obstruction_light(const OsmTags& tags) {
+  return has_one_of(tags, "aeroway", obstruction_lights) ||
+         has_one_of(tags, "light_source", obstruction_lights);
+}
+
 bool may_shine(const OsmTags& tags) {
   const auto has = [&](const char* key) {
     const std::string value = value_of(tags, key);
     return !value.empty() && value != "no";
   };
   if (is_highway(tags)) return false;
-  if (has("advertising") || has("floodlit") || value_of(tags, "amenity") == "fuel") return true;
+  if (has("advertising") || has("floodlit") || value_of(tags, "amenity") == "fuel" ||
+      is_obstruction_light(tags))
+    return true;
   return has("lit") &&
-         (has("historic") || has_one_of(tags, "leisure", pitches) ||
+         (has("historic") || is_sports_ground(tags) ||
+          (has_one_of(tags, "man_made", tall_things) && !is_lamp(tags)) ||
           has_one_of(tags, "building", churches) || value_of(tags, "tourism") == "artwork" ||
           value_of(tags, "amenity") == "place_of_worship");
 }

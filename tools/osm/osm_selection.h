@@ -25,9 +25,14 @@ bool is_barrier(const OsmTags& tags);
 /// Returns whether a node on a barrier lets people or vehicles through: barrier=* but "no".
 bool is_gate(const OsmTags& tags);
 /// Returns whether it may shine without being a lamp: advertising=*, floodlit=*, amenity=fuel,
-/// and things of sports, history, art and religion that have the tag lit=*. Streets are lit by
-/// their lamps and do not count.
+/// and things of sports, history, art and religion, towers and chimneys that have the tag lit=*,
+/// and obstruction lights. Streets are lit by their lamps and do not count.
 bool may_shine(const OsmTags& tags);
+/// Returns whether it is a pitch, a running track, a stadium or another place of sports.
+bool is_sports_ground(const OsmTags& tags);
+/// Returns whether it is a light that warns aircraft: one of the values of aeroway=* or
+/// light_source=*.
+bool is_obstruction_light(const OsmTags& tags);
 /// Returns whether it has railway=* but "no": tracks, and what belongs to them.
 bool is_railway(const OsmTags& tags);
 /// Returns whether a node is a crossing of people on foot: one of the values of highway=*.

@@ -37,6 +37,15 @@ void collect_way(const pugi::xml_node& element, OsmCollector& collector) {
   collector.add_way(*id, read_version(element), std::move(nodes), std::move(tags));
 }
 
+void collect_bounds(const pugi::xml_node& element, OsmCollector& collector) {
+  const auto read = [&](const char* name) {
+    return to_number<double>(element.attribute(name).value());
+  };
+  const auto west = read("minlon"), south = read("minlat"), east = read("maxlon"),
+             north = read("maxlat");
+  if (west && south && east && north) collector.add_bounds({{*west, *south}, {*east, *north}});
+}
+
 }  // namespace
 
 void take_remark(const std::filesystem::path& file, std::size_t line, const std::string& text,
@@ -58,6 +67,8 @@ void collect_document(const pugi::xml_node& root, const std::filesystem::path& f
       collect_way(element, collector);
     } else if (name == "relation") {
       if (!read_version(element).deleted) collector.add_relation(read_tags(element));
+    } else if (name == "bounds") {
+      collect_bounds(element, collector);
     } else if (name == "action") {
       throw Error(
           file.string(), find_line(element.offset_debug()),

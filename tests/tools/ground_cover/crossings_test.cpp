@@ -95,6 +95,10 @@ TEST(Crossings, LaddersAndListsHaveBars) {
     EXPECT_EQ(count_bars(paint(node({{"crossing:markings", bars}}))), 6u) << bars;
   for (const char* none : {"no", "yes", "lines", "dots;dashes", "surface", ""})
     EXPECT_EQ(count_bars(paint(node({{"crossing:markings", none}}))), 0u) << none;
+  // The other tag says which kind they are.
+  EXPECT_EQ(count_bars(paint(node({{"crossing", "uncontrolled"}, {"crossing:markings", "yes"}}))),
+            6u);
+  EXPECT_EQ(count_bars(paint(node({{"crossing", "unmarked"}, {"crossing:markings", "yes"}}))), 0u);
 }
 
 }  // namespace

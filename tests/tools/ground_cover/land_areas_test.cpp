@@ -209,6 +209,30 @@ TEST(LandAreas, WhatLiesThereComesBeforeWhatTheLandIsFor) {
   EXPECT_EQ(kind_of({{"landuse", "grass;meadow"}}), GroundKind::grass);
 }
 
+// OSM wiki, the pages of these tags.
+TEST(LandAreas, RarerKindsOfLandAreKnown) {
+  EXPECT_EQ(kind_of({{"leisure", "common"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"landuse", "greenery"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"natural", "dune"}}), GroundKind::sand);
+  EXPECT_EQ(kind_of({{"natural", "desert"}}), GroundKind::sand);
+  EXPECT_EQ(kind_of({{"landuse", "logging"}}), GroundKind::soil);
+  EXPECT_EQ(kind_of({{"landuse", "paddy"}}), GroundKind::farmland);
+  EXPECT_EQ(kind_of({{"amenity", "motorcycle_parking"}}), GroundKind::asphalt);
+}
+
+TEST(LandAreas, AWayToAPlaceAndBackEnclosesNothingAndIsCounted) {
+  const test::TempFolder folder;
+  std::ofstream(folder / "map.osm") << R"(<osm version="0.6">
+<node id="1" version="1" lon="0" lat="0"/><node id="2" version="1" lon="9" lat="0"/>
+<way id="1" version="1"><nd ref="1"/><nd ref="2"/><nd ref="1"/><tag k="landuse" v="grass"/></way>
+<way id="2" version="1"><nd ref="1"/><tag k="landuse" v="grass"/></way>
+<way id="3" version="1"><nd ref="1"/><nd ref="2"/><tag k="landuse" v="grass"/></way></osm>)";
+  const osm::MapAreas map = osm::read_map_areas(folder / "map.osm", select_land(), 1000);
+  EXPECT_TRUE(map.areas.empty());
+  EXPECT_EQ(map.broken, 2u);
+  EXPECT_EQ(map.open_ways, 1u);
+}
+
 TEST(LandAreas, StreetsAreAreasWhereTheirTagsSaySo) {
   for (const char* yes : {"yes", "true", "1"})
     EXPECT_EQ(kind_of({{"highway", "pedestrian"}, {"area", yes}}), GroundKind::paving_stones);

@@ -35,15 +35,33 @@ TEST(Watercourses, WhatIsNotDrawnIsCountedInMetres) {
     EXPECT_NEAR(cover.left_out_m.begin()->second, 100, 1e-6);
     return cover.left_out_m.begin()->first;
   };
-  EXPECT_EQ(reason_of({{"waterway", "river"}}), "watercourse without a width");
-  EXPECT_EQ(reason_of({{"waterway", "river"}, {"width", "wide"}}), "watercourse without a width");
+  EXPECT_EQ(reason_of({{"waterway", "brook"}}), "watercourse without a width");
   EXPECT_EQ(reason_of({{"waterway", "stream"}, {"width", "2"}, {"tunnel", "culvert"}}),
             "watercourse below the ground");
   EXPECT_EQ(reason_of({{"waterway", "canal"}, {"width", "9"}, {"bridge", "aqueduct"}}),
             "watercourse on a bridge");
   EXPECT_EQ(reason_of({{"waterway", "stream"}, {"width", "2"}, {"intermittent", "yes"}}),
             "watercourse that is dry at times");
-  EXPECT_EQ(reason_of({{"natural", "coastline"}}), "coastline: the sea is not drawn");
+  EXPECT_TRUE(lay_water({{"natural", "coastline"}}).left_out_m.empty()) << "which is the sea's";
+}
+
+// The widths of OSM2World.
+TEST(Watercourses, WithoutAWidthALineIsAsWideAsItsKindUsuallyIs) {
+  for (const auto& [kind, width] : {std::pair{"river", 3.0},
+                                    {"canal", 2.0},
+                                    {"drain", 1.0},
+                                    {"ditch", 1.0},
+                                    {"stream", 0.5},
+                                    {"tidal_channel", 3.0}})
+    for (const char* said : {"", "wide"}) {
+      osm::OsmTags tags{{"waterway", kind}};
+      if (*said) tags["width"] = said;
+      Cover cover = lay_water(std::move(tags));
+      EXPECT_EQ(cover.assumed.at("width of a watercourse"), 1u) << kind;
+      cover.finish();
+      EXPECT_NEAR(areas_of(cover, middle).at("water") / 100, width, 0.01 * width) << kind;
+    }
+  EXPECT_TRUE(lay_water({{"waterway", "stream"}, {"width", "2"}}).assumed.empty());
 }
 
 TEST(Watercourses, StreetsAreSeenWhereTheyCross) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "formats/night_check.h"
 #include "tests/tools/lights/kept_schedules.h"
 #include "tools/lights/lamp_tags.h"
@@ -113,9 +115,9 @@ TEST(NightSchedule, LitHoursAsPeopleWriteThem) {
     EXPECT_EQ(*hours, schedule) << text;
   }
   for (const char* text :
-       {"", "yes", "sometimes", "23:00", "23:00-", "18-23", "20:00-22:00;21:00-23:00",
-        "18:00-49:00", "(sunset)-23:00", "(20:00+01:00)-23:00", "(sunset+)-23:00", "(sunset+01:00",
-        "()-23:00", "("})
+       {"", "yes", "sometimes", "23:00", "23:00-", "18", "20:00-22:00;21:00-23:00", "18:00-49:00",
+        "(sunset)-23:00", "(20:00+01:00)-23:00", "(sunset+)-23:00", "(sunset+01:00", "()-23:00",
+        "("})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
 }
 
@@ -139,7 +141,7 @@ TEST(NightSchedule, OfHoursThatDifferByTheDayThoseOfAWednesdayHold) {
     ASSERT_TRUE(hours) << text;
     EXPECT_EQ(*hours, schedule) << text;
   }
-  for (const char* text : {"We[1] 17:00-22:00", "Moo-Fr", "Mo-Fr 20:00-22:00;We[2]"})
+  for (const char* text : {"We[1 17:00-22:00", "Moo-Fr", "Mo-Fr 20:00-22:00;We[0]"})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
 }
 
@@ -222,8 +224,58 @@ TEST(NightSchedule, HoursBySeasonOffOpenEndedAndOnClocksOfTwelveHours) {
   }
   for (const char* text : {"13pm-14pm", "0am-5am", "930-1200", "17:00-22:00+", "winter 17:00-22:00",
                            "+", "off on", "Oct- 17:00-22:00", "17:00-23:00,22:00-05:00 off",
-                           "6-11pm", "easter off", "Mo-Fr 17:00-22:00 off off"})
+                           "6-11pm", "easter 17:00-", "Mo-Fr 17:00-22:00 off off"})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
+}
+
+// Our Wednesday is the 15th of its month, the third from both ends, and Thursday is the 16th.
+TEST(NightSchedule, WeekdaysThatAreCountedInTheirMonth) {
+  const NightSchedule evening{{minute_of(17, 0)}, {minute_of(22, 0)}};
+  for (const char* text : {"We[3] 17:00-22:00", "We[-3] 17:00-22:00", "We[1,3] 17:00-22:00",
+                           "We[2-4] 17:00-22:00", "Mo[1],We[3],Fr 17:00-22:00"}) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_EQ(*hours, evening) << text;
+  }
+  for (const char* text : {"We[1] 17:00-22:00", "We[-1] 17:00-22:00", "Mo[3] 17:00-22:00"})
+    EXPECT_TRUE(parse_lit_hours(text).value_or(evening).never()) << text;
+  EXPECT_EQ(parse_lit_hours("17:00-22:00; We[1] off"), evening);
+  EXPECT_TRUE(parse_lit_hours("We[3] 17:00-22:00; We[3] off")->never());
+  for (const char* text : {"We[1] +1 day 17:00-22:00", "We[6] 17:00-22:00", "We[] 17:00-22:00",
+                           "We[3-1] 17:00-22:00", "We[x] 17:00-22:00"})
+    EXPECT_FALSE(parse_lit_hours(text)) << text;
+}
+
+TEST(NightSchedule, YearsAndEaster) {
+  setenv("SOURCE_DATE_EPOCH", "1789000000", 1);  // September 2026
+  const NightSchedule evening{{minute_of(17, 0)}, {minute_of(22, 0)}};
+  for (const char* text :
+       {"2026 Dec 17:00-22:00", "2026 17:00-22:00", "2025-2027 Mo-Su 17:00-22:00",
+        "2020+ 17:00-22:00", "2026 Dec 01-2027 Jan 15 17:00-22:00", "2026 Nov 20-Jan 6 17:00-22:00",
+        "2026 Dec 15 17:00-22:00", "17:00-22:00; easter off",
+        "17:00-22:00; easter -2 days-easter +1 day off", "easter-Dec 31 17:00-22:00",
+        "2024 off; 17:00-22:00", "17:00-22:00; 2026 Dec 24-26 off", "Oct-Mar 17-22", "17-22",
+        "sunset-22", "Mo-Fr 17-22:00"}) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_EQ(*hours, evening) << text;
+  }
+  for (const char* text :
+       {"2025 Dec 17:00-22:00", "2020-2024 17:00-22:00", "2027+ 17:00-22:00", "easter 17:00-22:00",
+        "Jan 1-easter 17:00-22:00", "2026 Jan 01-2026 Mar 15 17:00-22:00"}) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_TRUE(hours->never()) << text;
+  }
+  // Easter may be 60 days before June 15, and four digits may be clocks.
+  EXPECT_FALSE(parse_lit_hours("easter +60 days 17:00-22:00", Half::south));
+  EXPECT_TRUE(parse_lit_hours("easter +60 days 17:00-22:00")->never());
+  const NightSchedule hour{{minute_of(19, 0)}, {minute_of(20, 0)}};
+  EXPECT_EQ(parse_lit_hours("1900-2000"), hour);
+  for (const char* text : {"2026", "2026-", "2026 Dec-", "easter - 17:00-22:00", "18-23x", "18-25",
+                           "Easter-3 17:00-22:00"})
+    EXPECT_FALSE(parse_lit_hours(text)) << text;
+  unsetenv("SOURCE_DATE_EPOCH");
 }
 
 // Nights are long in June there.

@@ -138,6 +138,71 @@ TEST(Tm33, EmittersGiveTheirLightTogether) {
   EXPECT_EQ(read_text(document_2022(four)).notes.size(), 1u);
 }
 
+// In the schema of the standard candela are in LuminousIntensity, watts beside it, and the type is
+// at the device that measured.
+TEST(Tm33, TheStandardsOwnSchemaIsRead) {
+  const std::string points = list_points(whole_turn, down, hundred);
+  const std::string watts = "<RadiantData><RadiantIntensity>" +
+                            list_points(whole_turn, down, [](double, double) { return 7.0; }) +
+                            "</RadiantIntensity></RadiantData>";
+  const Luminaire luminaire = read_text(document_2022(
+      "<Emitter><Quantity>1</Quantity>" + watts +
+      "<LuminousData><LuminousIntensity><Multiplier>3</Multiplier><NumberHorz>1</NumberHorz>" +
+      points + "</LuminousIntensity><LuminousFlux>9</LuminousFlux></LuminousData></Emitter>"));
+  EXPECT_NEAR(luminaire.flux_lm, 3 * half_space_lm, 1e-6);
+  EXPECT_NE(error_of_text(document_2022("<Emitter>" + watts + "</Emitter>"))
+                .find("lists its intensities"),
+            std::string::npos);
+  const std::vector<double> half_turn{-90, -45, 0, 45, 90};
+  EXPECT_NEAR(
+      read_text(document_2022(
+                    "<Equipment><Gonioradiometer><Type>IES _ B</Type></Gonioradiometer></Equipment>"
+                    "<Emitter><LuminousData><LuminousIntensity>" +
+                    list_points(half_turn, half_turn, hundred) +
+                    "</LuminousIntensity></LuminousData></Emitter>"))
+          .flux_lm,
+      half_space_lm, 0.01 * half_space_lm);
+}
+
+// The box round all luminous areas, in metres of millimetres, as LM-63 has it.
+TEST(Tm33, TheLuminousOpeningIsTheBoxRoundItsAreas) {
+  const auto read_areas = [](const std::string& areas, const std::string& centre = {}) {
+    return read_text(document_2022(
+        "<Emitter><LuminousData>" + list_points(whole_turn, down, hundred) +
+        "</LuminousData><EmissionAreas>" + areas + "</EmissionAreas>" + centre + "</Emitter>"));
+  };
+  const auto bottom = [](const char* length, const char* width, const char* along,
+                         const char* extra = "") {
+    return std::string("<BottomArea><Length>") + length + "</Length><Width>" + width +
+           "</Width><LengthOffset>" + along + "</LengthOffset><WidthOffset>0</WidthOffset>" +
+           extra + "</BottomArea>";
+  };
+  const Luminaire one = read_areas("<BottomFace><NumberBottom>1</NumberBottom>" +
+                                   bottom("600", "150", "0") + "</BottomFace>");
+  EXPECT_NEAR(one.length_m, 0.6, 1e-12);
+  EXPECT_NEAR(one.width_m, 0.15, 1e-12);
+  EXPECT_EQ(one.height_m, 0);
+  const Luminaire disc = read_areas(
+      "<BottomFace>" + bottom("200", "200", "50", "<Circular>true</Circular>") + "</BottomFace>");
+  EXPECT_NEAR(disc.length_m, 0.2, 1e-12);
+  // Two fields of 100 mm whose middles are 300 mm apart, and sides of 40 mm.
+  const Luminaire two = read_areas(
+      "<BottomFace>" + bottom("100", "80", "-150") + bottom("100", "80", "150") +
+      "</BottomFace><C0Face><C0Area><Length>400</Length><Height>40</Height><LengthOffset>0"
+      "</LengthOffset><HeightOffset>20</HeightOffset></C0Area></C0Face>");
+  EXPECT_NEAR(two.length_m, 0.4, 1e-12);
+  EXPECT_NEAR(two.width_m, 0.08, 1e-12);
+  EXPECT_NEAR(two.height_m, 0.04, 1e-12);
+  EXPECT_EQ(read_areas("").length_m, 0);
+  EXPECT_NE(
+      error_of_text(
+          document_2022("<Emitter><LuminousData>" + list_points(whole_turn, down, hundred) +
+                        "</LuminousData><EmissionAreas><BottomFace>" + bottom("wide", "80", "0") +
+                        "</BottomFace></EmissionAreas></Emitter>"))
+          .find("Length"),
+      std::string::npos);
+}
+
 TEST(Tm33, FaultsAreNamedWithTheirLine) {
   const auto complain = [](const std::string& points, const std::string& head = {}) {
     return error_of_text(document_2022(emitter_2022(points, head)));

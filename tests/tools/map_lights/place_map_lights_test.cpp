@@ -257,5 +257,53 @@ TEST(MapLights, WhatShinesBelowTheGroundOrInABuildingIsNotSeen) {
   EXPECT_EQ(kind_of(place({area(2, {0, 0}, {100, 60}, hall)}), MapLightKind::pitch).lit, 0u);
 }
 
+TEST(MapLights, LitGroundsOfSportsAreLitAsPitchesWhereTheyHoldNoneThatIs) {
+  for (const char* leisure : {"stadium", "sports_centre", "ice_rink", "skatepark", "track"}) {
+    const Thing ground = area(1, {0, 0}, {120, 90}, {{"leisure", leisure}, {"lit", "yes"}});
+    const MapLightSet set = place({ground});
+    EXPECT_EQ(kind_of(set, MapLightKind::pitch).lit, 1u) << leisure;
+    EXPECT_GE(set.luminaires.size(), 4u) << leisure;
+  }
+  const osm::OsmTags stadium{{"leisure", "stadium"}, {"lit", "yes"}};
+  const MapLightSet both =
+      place({area(1, {-20, -20}, {125, 90}, stadium), area(2, {0, 0}, {105, 68}, soccer)});
+  EXPECT_EQ(kind_of(both, MapLightKind::pitch).lit, 1u);
+  EXPECT_EQ(both.report.left_out.at("sports ground whose pitches are lit by themselves"), 1u);
+  osm::OsmTags dark = soccer;
+  dark["lit"] = "no";
+  EXPECT_EQ(
+      kind_of(place({area(1, {-20, -20}, {125, 90}, stadium), area(2, {0, 0}, {105, 68}, dark)}),
+              MapLightKind::pitch)
+          .lit,
+      1u);
+  // A hall is lit inside, a stadium that is a building is open above its pitch.
+  const auto with_building = [](osm::OsmTags tags) {
+    tags["building"] = "yes";
+    return kind_of(place({area(1, {0, 0}, {120, 90}, std::move(tags))}), MapLightKind::pitch).lit;
+  };
+  EXPECT_EQ(with_building({{"leisure", "sports_centre"}, {"lit", "yes"}}), 0u);
+  EXPECT_EQ(with_building(stadium), 1u);
+}
+
+TEST(MapLights, TowersWithWallsAreFloodlitAndMastsAreTold) {
+  const auto floodlights = [](osm::OsmTags tags) {
+    return place({node(1, {0, 0}, std::move(tags))}).luminaires.size();
+  };
+  EXPECT_GT(floodlights({{"man_made", "tower"}, {"lit", "yes"}, {"height", "40"}}), 0u);
+  EXPECT_GT(floodlights({{"man_made", "chimney"}, {"lit", "sunset-23:00"}}), 0u);
+  EXPECT_EQ(floodlights({{"man_made", "chimney"}, {"lit", "no"}}), 0u);
+  const auto reason = [](osm::OsmTags tags) {
+    const MapLightSet set = place({node(1, {0, 0}, std::move(tags))});
+    EXPECT_TRUE(set.luminaires.empty());
+    return set.report.left_out.empty() ? "" : set.report.left_out.begin()->first;
+  };
+  EXPECT_EQ(reason({{"man_made", "mast"}, {"lit", "yes"}}),
+            "mast or lattice tower, which has no walls");
+  EXPECT_EQ(reason({{"man_made", "tower"}, {"tower:construction", "lattice"}, {"lit", "yes"}}),
+            "mast or lattice tower, which has no walls");
+  EXPECT_EQ(reason({{"aeroway", "obstruction_light"}, {"lit", "yes"}}),
+            "obstruction light, which no kind of light here stands for");
+}
+
 }  // namespace
 }  // namespace nightcity::map_lights

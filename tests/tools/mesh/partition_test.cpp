@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <map>
+#include <numbers>
 #include <random>
 
 #include "formats/error.h"
@@ -113,6 +115,61 @@ TEST(Partition, RandomStarsAreDisjointAndWhole) {
     for (auto area = layer.rbegin(); area != layer.rend(); ++area)
       if (holds(area->rings, p)) expected = area->label;
     EXPECT_EQ(owner, expected);
+  }
+}
+
+// Returns what of a ring lies above a height, as outlines are cut to tiles of the ground.
+std::vector<glm::dvec2> cut_below(const std::vector<glm::dvec2>& ring, double low) {
+  std::vector<glm::dvec2> cut;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (a.y >= low) cut.push_back(a);
+    if ((a.y >= low) != (b.y >= low))
+      cut.emplace_back(a.x + (b.x - a.x) * (low - a.y) / (b.y - a.y), low);
+  }
+  for (glm::dvec2& p : cut) p = glm::round(p * 1024.0) / 1024.0;
+  return cut;
+}
+
+double area_of(const std::vector<glm::dvec2>& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const glm::dvec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+    sum += (a.x * b.y - b.x * a.y) / 2;
+  }
+  return sum;
+}
+
+// An area with a hole is cut along one line that lies less than a millimetre from the lowest corner
+// of a facet of the ground: edges overlap there, and two sides of the facet cross them.
+TEST(Partition, EdgesThatOverlapAreCrossedWhereTheyLie) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share;
+    const auto about = [&](double value, double spread) {
+      return static_cast<double>(static_cast<float>(value + spread * share(random)));
+    };
+    const auto star = [&](double low_m, double high_m, int corners) {
+      std::vector<glm::dvec2> ring;
+      for (int i = 0; i < corners; ++i) {
+        const double turn = 2 * std::numbers::pi * i / corners,
+                     away = low_m + (high_m - low_m) * share(random);
+        ring.emplace_back(30 + away * std::cos(turn), -22 + away * std::sin(turn));
+      }
+      return ring;
+    };
+    const double low = about(-29.5, 0.001);
+    const std::vector<glm::dvec2> facet{{about(30.4, 0.2), low},
+                                        {about(90, 0.002), about(30, 0.002)},
+                                        {about(30.4, 0.001), about(30, 0.001)},
+                                        {-29.5, 30}};
+    const PlaneArea area{{cut_below(star(12, 20, 22), low), cut_below(star(8.2, 9.5, 9), low)}, 3};
+    const std::vector<PlaneLayer> layers{{area}, {{{facet}, 7}}};
+    const PlanePartition plan = partition(layers);
+    double facet_m2 = 0;
+    for (const PlanePartition::Triangle& t : plan.triangles)
+      if (plan.owners[t.region][1] == 7) facet_m2 += area_of(plan, t);
+    EXPECT_NEAR(facet_m2, area_of(facet), 0.01) << seed;
   }
 }
 

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "tools/names/join_lines.h"
+#include "tools/ground_cover/join_lines.h"
 #include "tools/names/lines_apart.h"
 #include "tools/names/simplify_line.h"
 
@@ -23,7 +23,7 @@ TEST(JoinLines, PiecesOfAStreetBecomeOneLineInAnyOrderAndDirection) {
   std::vector<Line> pieces;
   for (int i = 0; i < 6; ++i)
     pieces.push_back({{10.0 * i, 0}, {10.0 * i + 5, 3}, {10.0 * i + 10, 0}});
-  const std::vector<Line> straight = join_lines(pieces);
+  const std::vector<Line> straight = ground_cover::join_lines(pieces);
   ASSERT_EQ(straight.size(), 1u);
   EXPECT_EQ(straight[0].size(), 13u);
   EXPECT_NEAR(find_length(straight[0]), 12 * std::hypot(5, 3), 1e-9);
@@ -31,20 +31,20 @@ TEST(JoinLines, PiecesOfAStreetBecomeOneLineInAnyOrderAndDirection) {
   for (int round = 0; round < 20; ++round) {
     std::shuffle(pieces.begin(), pieces.end(), random);
     std::reverse(pieces[0].begin(), pieces[0].end());
-    EXPECT_EQ(join_lines(pieces), straight);
+    EXPECT_EQ(ground_cover::join_lines(pieces), straight);
   }
 }
 
 TEST(JoinLines, AForkIsNotJoinedAndALoopEnds) {
   const Line stem{{0, 0}, {10, 0}}, left{{10, 0}, {20, 5}}, right{{10, 0}, {20, -5}};
-  EXPECT_EQ(join_lines({stem, left, right}).size(), 3u);
+  EXPECT_EQ(ground_cover::join_lines({stem, left, right}).size(), 3u);
   const Line half{{0, 0}, {5, 5}, {10, 0}}, other{{0, 0}, {5, -5}, {10, 0}};
-  const std::vector<Line> ring = join_lines({half, other});
+  const std::vector<Line> ring = ground_cover::join_lines({half, other});
   ASSERT_EQ(ring.size(), 1u);
   EXPECT_EQ(ring[0].size(), 5u);
   EXPECT_EQ(ring[0].front(), ring[0].back());
-  EXPECT_EQ(join_lines({ring[0]}), ring);
-  EXPECT_EQ(join_lines({{{1, 1}}}).size(), 1u);  // a point
+  EXPECT_EQ(ground_cover::join_lines({ring[0]}), ring);
+  EXPECT_EQ(ground_cover::join_lines({{{1, 1}}}).size(), 1u);  // a point
 }
 
 TEST(SimplifyLine, KeepsWithinTheToleranceAndTheEnds) {

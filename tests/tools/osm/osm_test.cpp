@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <vector>
 
 #include "formats/error.h"
 #include "support/data.h"
+#include "support/temp_folder.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/read_osm.h"
 
@@ -461,6 +463,33 @@ TEST(OsmReal, BayreuthGzip) {
 TEST(OsmReal, CorruptPbfIsAnError) {
   REAL_DATA(file, "osm/corrupt.osm.pbf");
   EXPECT_THROW(read_osm(file), Error);
+}
+
+// The rectangle goes round all of several maps, where each says its own.
+TEST(OsmBounds, AreThoseRoundAllMapsThatSayTheirs) {
+  const test::TempFolder folder;
+  const auto write = [&](const char* name, const std::string& bounds) {
+    std::ofstream(folder / name) << "<osm version=\"0.6\">" << bounds
+                                 << "<node id=\"1\" version=\"1\" lat=\"1\" lon=\"2\"/></osm>";
+    return folder / name;
+  };
+  const std::filesystem::path
+      west = write("west.osm", R"(<bounds minlat="1" minlon="2" maxlat="3" maxlon="4"/>)"),
+      east = write("east.osm", R"(<bounds minlat="0" minlon="4" maxlat="2" maxlon="6.5"/>
+                                  <bounds minlat="2" minlon="4" maxlat="2.5" maxlon="5"/>)"),
+      none = write("none.osm", R"(<bounds minlat="x" minlon="4" maxlat="2" maxlon="6"/>)");
+  const auto both = read_osm(std::vector{west, east}).bounds;
+  ASSERT_TRUE(both);
+  EXPECT_EQ(both->low, glm::dvec2(2, 0));
+  EXPECT_EQ(both->high, glm::dvec2(6.5, 3));
+  EXPECT_FALSE(read_osm(none).bounds);
+  if (std::system(("gzip -k " + west.string()).c_str()) == 0) {
+    const auto packed = read_osm(folder / "west.osm.gz").bounds;
+    ASSERT_TRUE(packed);
+    EXPECT_EQ(packed->low, glm::dvec2(2, 1));
+    EXPECT_EQ(packed->high, glm::dvec2(4, 3));
+  }
+  EXPECT_FALSE(read_osm(std::vector{west, none}).bounds);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "tools/ground_cover/junction_corners.h"
 #include "tools/ground_cover/land_areas.h"
 #include "tools/ground_cover/rail_areas.h"
+#include "tools/ground_cover/sea.h"
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/watercourses.h"
 #include "tools/inventory/add_to_map.h"
@@ -178,6 +179,7 @@ void City::lay_cover(const GroundReport& ground) {
   if (options.land && !ground.has_land) {
     add_land(bounds);
     ground_cover::add_watercourses(map_.watercourses, to_plan, bounds, cover_);
+    ground_cover::add_sea(map_.watercourses, map_.bounds, to_plan, bounds, cover_);
   }
   if (options.rails && !ground.has_roads)
     ground_cover::add_rails(find_ground_ways(map_.railways), to_plan, bounds, cover_);

@@ -58,7 +58,7 @@ Key off_key(std::map<MapLightKind, lights::NightSpan>& spans) {
 Table make_map_light_table(map_lights::MapLightOptions& lights) {
   return {"map_lights",
           "Lights of the map that are no street lamps: `advertising`, what is `floodlit`, pitches "
-          "with `lit=yes`, and petrol stations (docs/lights.md).",
+          "and stadiums with `lit=yes`, and petrol stations (docs/lights.md).",
           {flag_key("lit", lights.lit, "Whether the city gets such lights at all."),
            without_key(lights.without), off_key(lights.off)}};
 }

@@ -157,14 +157,17 @@ Table make_ground_table(bake::CoverOptions& ground) {
            "rises above what it crosses (docs/recipe.md, Bridges). One that would be too steep "
            "lies on the ground as if it were none, and is counted with the reason; so does "
            "every bridge if this is `false`."),
-       flag_key("land", ground.land,
-                "Land, where the city model has neither land use nor water of its own: areas of "
-                "`natural`, `landuse`, `landcover`, `leisure`, `waterway`, `amenity`, "
-                "`area:highway` and the like as water, woods, grass, fields, sand, paved yards and "
-                "squares, multipolygons with their holes too. Rivers, streams and canals that are "
-                "lines are water where `width` or `est_width` says how wide; others, and coasts, "
-                "are counted in metres. Built-up land (`landuse = residential`) says nothing about "
-                "the ground, which stays bare."),
+       flag_key(
+           "land", ground.land,
+           "Land, where the city model has neither land use nor water of its own: areas of "
+           "`natural`, `landuse`, `landcover`, `leisure`, `waterway`, `amenity`, "
+           "`area:highway` and the like as water, woods, grass, fields, sand, paved yards and "
+           "squares, multipolygons with their holes too. Rivers, streams and canals that are "
+           "lines are water as wide as `width` or `est_width` says, else as their kind usually "
+           "is. The sea lies on the right of `natural = coastline`, as far as the ground or, "
+           "where a coast ends before it, the map's bounds reach; coasts that end within these "
+           "are counted in metres. Built-up land (`landuse = residential`) says nothing about "
+           "the ground, which stays bare."),
        flag_key("gaps", ground.gaps,
                 "Where the map has a building and the city model has none, the map's stands there, "
                 "made as by `[osm] buildings` and on the lowest ground below it. A building of "

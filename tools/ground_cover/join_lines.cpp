@@ -1,17 +1,13 @@
-#include "tools/names/join_lines.h"
+#include "tools/ground_cover/join_lines.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
 
-namespace nightcity::names {
+namespace nightcity::ground_cover {
 
 namespace {
-
-struct PointOrder {
-  bool operator()(const glm::dvec2& a, const glm::dvec2& b) const { return comes_before(a, b); }
-};
 
 class Joiner {
  public:
@@ -76,4 +72,4 @@ std::vector<Line> join_lines(std::vector<Line> lines) {
   return joined;
 }
 
-}  // namespace nightcity::names
+}  // namespace nightcity::ground_cover

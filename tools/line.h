@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-namespace nightcity::names {
+namespace nightcity {
 
 using Line = std::vector<glm::dvec2>;
 
@@ -19,4 +19,8 @@ inline bool comes_before(const Line& a, const Line& b) {
       [](const glm::dvec2& p, const glm::dvec2& q) { return comes_before(p, q); });
 }
 
-}  // namespace nightcity::names
+struct PointOrder {
+  bool operator()(const glm::dvec2& a, const glm::dvec2& b) const { return comes_before(a, b); }
+};
+
+}  // namespace nightcity
