@@ -18,8 +18,9 @@ namespace nightcity::render {
 
 class DeviceLights {
  public:
-  /// Copies what it needs of `scene`. The lights of `first` are on, which set_time then finds made.
-  /// Some of their tables are made in the background until finish(), which comes before all else.
+  /// Copies what it needs of `scene`, which must be there until finish(). The lights of `first` are
+  /// on, which set_time then finds made. Some of their tables are made in the background until
+  /// finish(), which comes before all else.
   DeviceLights(gpu::Device& device, const scene::RenderScene& scene,
                const scene::LightMoment& first);
   /// Makes the other tables and uploads all.
