@@ -5,7 +5,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity;
   test::fuzz_city(data, size, [](const auto& document, const auto& options, const auto& stage) {
-    citygml::read_with_stream(document, options, stage);
+    citygml::read_with_stream(document, {}, options, stage);
   });
   return 0;
 }
