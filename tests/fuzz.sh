@@ -36,6 +36,7 @@ declare -A seeds=(
   [osm]=tests/tools/osm/corpus
   [picture]=tests/formats/corpus/picture
   [recipe]=tests/tools/bake/corpus
+  [scene]=tests/runtime/scene/corpus_scenes
   [settings]=tests/runtime/render/corpus
   [tags]=tests/tools/lights/corpus_tags
   [triangulation]=tests/tools/streets/corpus
