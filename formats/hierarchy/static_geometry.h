@@ -55,7 +55,7 @@ inline glm::vec3 place(const glm::dmat4& to_scene, const glm::vec3& vertex) {
 
 /// Returns whether a triangle has an area and lies within max_coordinate_m. Others are left out.
 inline bool is_shown(const Corners& c) {
-  const auto next = [](Float4 v) { return __builtin_shuffle(v, Int4{1, 2, 0, 3}); };
+  const auto next = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); };
   const auto is_near = [](Float4 v) {
     return max_of(v, -v) <= static_cast<float>(max_coordinate_m);  // no float lies between the two
   };
