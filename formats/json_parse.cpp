@@ -13,7 +13,8 @@ namespace {
 using nlohmann::json;
 using Element = simdjson::dom::element;
 
-// Its depth is bounded by the parser's. As with nlohmann-json, the last of members of one name holds.
+// Its depth is bounded by the parser's. As with nlohmann-json, the last of members of one name
+// holds.
 json convert(const Element& element) {
   switch (element.type()) {
     case simdjson::dom::element_type::ARRAY: {

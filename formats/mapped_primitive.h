@@ -99,8 +99,8 @@ enum class VertexCheck {
   later  ///< by whoever reads them (has_vertices), which spares a walk over all of the file
 };
 
-/// Returns whether the values of a primitive are those that PrimitiveReader::read() accepts: ids are
-/// in their ranges and, where they are looked at now, indices too and positions finite.
+/// Returns whether the values of a primitive are those that PrimitiveReader::read() accepts: ids
+/// are in their ranges and, where they are looked at now, indices too and positions finite.
 bool is_fit(const MappedPrimitive& primitive, VertexCheck vertices);
 
 /// One for each primitive of a mesh; nothing for those that cannot be read in place.

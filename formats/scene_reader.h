@@ -45,11 +45,12 @@ class SceneFile {
   /// Returns a mesh. `index` < mesh_count(). `mapped` gets where its primitives lie in the file.
   SceneMesh read_mesh(std::size_t index, MappedMesh* mapped = nullptr);
   /// Returns where the primitives of a mesh lie in the file, after read_mesh's checks, of which
-  /// that of vertices may be left to the caller; nothing where some of them cannot be read in place,
-  /// or are refused by read_mesh.
+  /// that of vertices may be left to the caller; nothing where some of them cannot be read in
+  /// place, or are refused by read_mesh.
   std::optional<MappedMesh> map_mesh(std::size_t index, VertexCheck vertices = VertexCheck::now);
-  /// Returns whether several threads may call read_mesh and map_mesh at once. Not where vertices have colours:
-  /// the materials made of them are numbered in the order of the meshes that are read.
+  /// Returns whether several threads may call read_mesh and map_mesh at once. Not where vertices
+  /// have colours: the materials made of them are numbered in the order of the meshes that are
+  /// read.
   bool reads_in_parallel() const;
 
   /// Call it after the last mesh: completes scene(), and keeps nothing else but the files, which it

@@ -49,7 +49,8 @@ struct Steps {
 };
 
 // Finds the smallest powers of two of which 255 reach from the origin to the far side, margins
-// included. The origin lies below the corner by two of them: a plane of 0 steps needs its margin too.
+// included. The origin lies below the corner by two of them: a plane of 0 steps needs its margin
+// too.
 Steps find_steps(const Bounds& box) {
   constexpr Float4 fourth{0, 0, 0, 1};
   const Float4 corner = down(box.lower + fourth), top = up(box.upper + fourth);

@@ -27,7 +27,8 @@ gpu::TextureCorners find_corners(const ScenePrimitive& primitive, std::size_t fi
 }
 
 // Calls `take` with the triangles of a primitive that have an area, lie within reach and whose
-// light is not left out, and where their indices begin. Returns the number of those without area or beyond reach.
+// light is not left out, and where their indices begin. Returns the number of those without area or
+// beyond reach.
 template <class Take>
 std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
                     std::span<const std::uint32_t> light_numbers, std::vector<glm::vec3>& positions,

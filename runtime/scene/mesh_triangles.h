@@ -22,8 +22,9 @@ struct MeshSource {
   /// `mapped`, where it is not null, gets where the mesh's primitives lie in the file, or stays
   /// empty.
   std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh, MappedMesh* mapped)> read;
-  /// Returns where all primitives of a mesh lie in the file, checked as `read` does but for vertices
-  /// that are to be looked at later, nothing where `read` must be called. It may be absent.
+  /// Returns where all primitives of a mesh lie in the file, checked as `read` does but for
+  /// vertices that are to be looked at later, nothing where `read` must be called. It may be
+  /// absent.
   std::function<std::optional<MappedMesh>(std::uint32_t mesh, VertexCheck vertices)> map{};
   /// Called when every mesh has been read, as often as it is needed: `read` is not called again.
   std::function<void()> close;

@@ -46,12 +46,12 @@ class TriangleList {
   Iterator begin() const;
   Iterator end() const;
   /// Measures the boxes of these triangles in a frame, without its margin: `to` has as many. `all`
-  /// grows by the triangles in their own frame. Returns whether all that are mapped are shown: the others
-  /// were looked at before they were stored.
+  /// grows by the triangles in their own frame. Returns whether all that are mapped are shown: the
+  /// others were looked at before they were stored.
   bool measure(std::span<const std::uint32_t> numbers, const hierarchy::BoxFrame& frame,
                std::span<hierarchy::Bounds> to, hierarchy::Bounds& all) const;
-  /// Copies these triangles, of which `to` has as many. It is faster than one by one, where they lie
-  /// anywhere.
+  /// Copies these triangles, of which `to` has as many. It is faster than one by one, where they
+  /// lie anywhere.
   void gather(std::span<const std::uint32_t> numbers, std::span<gpu::Triangle> to) const;
   /// Copies their corners alone.
   void gather(std::span<const std::uint32_t> numbers, std::span<hierarchy::Corners> to) const;

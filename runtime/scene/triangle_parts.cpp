@@ -15,7 +15,8 @@ using hierarchy::Cut;
 namespace {
 
 // The cuts of a hierarchy, each behind the one that made what it cuts: a rank's cuts are of
-// triangles or of parts that the ranks before it have made, so that all of them can be made at once.
+// triangles or of parts that the ranks before it have made, so that all of them can be made at
+// once.
 struct Ranks {
   std::vector<std::uint32_t> cuts;  // by their ranks
   std::vector<std::size_t> ends;    // of each rank, among these

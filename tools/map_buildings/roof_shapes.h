@@ -68,7 +68,8 @@ bool add_quadruple_saltbox(Shell& shell);
 bool add_crossed_gables(Shell& shell);
 
 /// Half an ellipsoid over the outline: smaller copies of it round the centroid, in 8 rings. Fails
-/// where the outline is not compact (4 pi A / P^2 below 0.5) or the centroid does not see each edge.
+/// where the outline is not compact (4 pi A / P^2 below 0.5) or the centroid does not see each
+/// edge.
 bool add_dome(Shell& shell);
 /// As a dome, of the radius cos^2(pi t / 2) (1 + 1.5 t) at the share t of the height: 18 % beyond
 /// the outline at a fifth, a tip at the top. (The curve is an assumption.)

@@ -162,8 +162,8 @@ TEST(Parts, WhatIsAbsentCostsNothing) {
   const RenderScene whole = builder.with(lights);
   for (std::size_t part = 0; part < part_count; ++part) {
     ASSERT_EQ(whole.parts[part], 0u) << part;
-    const RenderScene scene =
-        make_render_scene(builder.scene(), {test::to_large(lights), {}, {}, {}}, PartSet().set(part));
+    const RenderScene scene = make_render_scene(
+        builder.scene(), {test::to_large(lights), {}, {}, {}}, PartSet().set(part));
     const auto same = [](const auto& a, const auto& b) {
       return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
     };
