@@ -140,7 +140,9 @@ DeviceLights::Grid DeviceLights::make_grid(std::span<const float> flux_lm,
   Grid result;
   scene::LightGrid grid;
   std::size_t used = 0;
-  if (device_.info().kind == "cpu") {
+  const bool is_host_memory =
+      device_.info().kind == "cpu" && gpu::Buffer(device_, 0).map_first() != nullptr;
+  if (is_host_memory) {
     // The entries are made where they will be read. Room for full lists costs nothing there: memory
     // that is not written to is not taken.
     result.entries = gpu::Buffer(device_, 0);

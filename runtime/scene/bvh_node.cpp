@@ -42,7 +42,7 @@ Int4 clamp(Int4 x, int lower, int upper) {
   return x > upper ? Int4{} + upper : x;
 }
 
-// How the planes of a node's children are counted.
+// Tells how the planes of a node's children are counted.
 struct Steps {
   Float4 origin;
   Int4 exponent;

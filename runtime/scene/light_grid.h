@@ -53,7 +53,7 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
 using TakeEntryMemory = std::function<std::span<gpu::GridEntry>(std::size_t most)>;
 
 /// Fills the shape and the cells of a grid as build_light_grid does, and puts the entries into the
-/// memory that `take` gives. Returns how many there are.
+/// memory that `take` gives. Returns how many there are; `take` is not called if no light shines.
 std::size_t fill_light_grid(std::span<const Light> lights, std::span<const float> flux_lm,
                             LightLists lists, const TakeEntryMemory& take, LightGrid& grid);
 

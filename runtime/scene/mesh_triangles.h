@@ -66,7 +66,7 @@ struct PlacedMesh {
 };
 
 /// Appends the triangles of `placed` in its order, and returns the number of those without area.
-/// Where vertices are looked at later, some that are not shown may be among those that are mapped.
+/// Those that are mapped may hold some that are not shown, if vertices are looked at later.
 /// Each mesh is read by one of the threads. Throws Error if the scene cannot have as many.
 std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
                           std::span<const std::uint32_t> light_numbers, unsigned threads,

@@ -1,4 +1,4 @@
-// Where the vertices of a mapped primitive stand in the scene.
+// Places the vertices of a mapped primitive in the scene.
 #pragma once
 
 #include <glm/ext/matrix_transform.hpp>

@@ -119,23 +119,26 @@ bool add_roof(Shell& shell, const Outline& outline, const BuildingSizes& sizes) 
   }
   if (!outline.holes.empty()) return false;
   const Ridge ridge = find_ridge(sizes, box);
+  const auto add = [&](auto make_profile) {
+    return add_profile(shell, box.middle, ridge.along, make_profile(sizes, ridge.width_m));
+  };
   switch (sizes.roof) {
     case RoofShape::gabled:
-      return add_profile(shell, box.middle, ridge.along, make_gable(sizes, ridge.width_m));
+      return add(make_gable);
     case RoofShape::gambrel:
-      return add_profile(shell, box.middle, ridge.along, make_gambrel(sizes, ridge.width_m));
+      return add(make_gambrel);
     case RoofShape::round:
-      return add_profile(shell, box.middle, ridge.along, make_round(sizes, ridge.width_m));
+      return add(make_round);
     case RoofShape::saltbox:
-      return add_profile(shell, box.middle, ridge.along, make_saltbox(sizes, ridge.width_m));
+      return add(make_saltbox);
     case RoofShape::butterfly:
-      return add_profile(shell, box.middle, ridge.along, make_butterfly(sizes, ridge.width_m));
+      return add(make_butterfly);
     case RoofShape::double_saltbox:
-      return add_profile(shell, box.middle, ridge.along, make_double_saltbox(sizes, ridge.width_m));
+      return add(make_double_saltbox);
     case RoofShape::sawtooth:
-      return add_profile(shell, box.middle, ridge.along, make_sawtooth(sizes, ridge.width_m));
+      return add(make_sawtooth);
     case RoofShape::gabled_row:
-      return add_profile(shell, box.middle, ridge.along, make_gabled_row(sizes, ridge.width_m));
+      return add(make_gabled_row);
     case RoofShape::side_hipped:
       return add_side_hip(shell, find_fall(sizes, box));
     case RoofShape::side_half_hipped:

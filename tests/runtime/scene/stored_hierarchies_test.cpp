@@ -314,7 +314,7 @@ TEST(StoredHierarchies, ThatAreDescribedWronglyAreBuiltAndSaid) {
   EXPECT_TRUE(is_said(load(cut), "NIGHTCITY_hierarchy"));
 }
 
-// What a user gets: the triangles and what is said of the scene, or the error.
+// Returns what a user gets: the triangles and what is said of the scene, or the error.
 std::string describe(const fs::path& file) {
   try {
     const scene::RenderScene scene = scene::load_render_scene(file);
