@@ -67,6 +67,14 @@ struct Instance {
 // The boxes of its mesh lie along SceneBuffers::boxes_along; its to_object is the identity.
 #define MASK_TURNED 8u
 
+// The ground around the scene, to the horizon, which casts no shadow. Its box would make those of
+// the scene coarse, so it has a hierarchy of its own, and only rays that may meet it go there.
+struct Horizon {
+  uint root;  // over its instances, or BVH_EMPTY
+  float top;  // no part of it lies higher; model space, m
+  vec2 lower, upper;  // x and z of a rectangle that no part of it lies in; lower > upper: none
+};
+
 #define TLAS_INSTANCE_WORDS 16u  // 4-byte words of VkAccelerationStructureInstanceKHR
 
 #ifdef __cplusplus

@@ -195,6 +195,7 @@ struct SceneBuffers {
   LightGridBuffers far_grid;   // lights of its neighbourhood
   uvec2 tlas;                  // address of the device's own TLAS, where that is traced
   uint root;                   // root of our own TLAS, or BVH_EMPTY
+  Horizon horizon;
   vec2 boxes_along;            // x and z of the unit vector that boxes of MASK_TURNED lie along
   uint light_count;            // static lights, then VEHICLE_LIGHTS per trip
   uint static_lights;          // lights that do not move

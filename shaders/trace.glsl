@@ -83,11 +83,27 @@ void swap_if_farther(inout float ta, inout uint a, inout float tb, inout uint b)
   if (node == BVH_EMPTY && top > least) node = stack[--top]
 #endif
 
+// Returns whether a ray may meet the ground around the scene in (0, t_end).
+bool may_meet_horizon(vec3 origin, vec3 direction, float t_end) {
+  const Horizon horizon = SCENE.horizon;
+  if (horizon.root == BVH_EMPTY) return false;
+  // The part of the ray that is not above all of it.
+  const float at_top = (horizon.top - origin.y) / direction.y;
+  const float begin = direction.y < 0.0 ? max(at_top, 0.0) : 0.0,
+              end = direction.y > 0.0 ? min(at_top, t_end) : t_end;
+  if (begin > end || (direction.y == 0.0 && origin.y > horizon.top)) return false;
+  const vec2 from = origin.xz + begin * direction.xz, to = origin.xz + end * direction.xz;
+  return !(all(greaterThan(min(from, to), horizon.lower)) &&
+           all(lessThan(max(from, to), horizon.upper)));
+}
+
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
            bool before, out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
   uint node = is_other_geometry(before) ? FRAME.previous_root : SCENE.root;
-  if (node == BVH_EMPTY) return false;
+  const bool sees_horizon = !any && (mask & MASK_SHADOW) == 0u;
+  if (node == BVH_EMPTY && !sees_horizon) return false;
+  bool asks_horizon = sees_horizon;
   uint stack[BVH_STACK];
 #ifdef SKIPS_WHAT_IS_HIDDEN
   float stack_t[BVH_STACK];  // at which distances the ray enters them
@@ -180,8 +196,14 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
       floor_of_level = 0;
       ray = make_ray(origin, direction);
     }
-    if (top == 0) break;
     node = BVH_EMPTY;
+    if (top == 0) {
+      // The horizon is last: most rays have met something by then, within the rectangle.
+      if (!asks_horizon || !may_meet_horizon(origin, direction, hit.t)) break;
+      asks_horizon = false;
+      node = SCENE.horizon.root;
+      continue;
+    }
     TAKE_DEFERRED(node, floor_of_level);
   }
   return hit.triangle != NO_HIT;

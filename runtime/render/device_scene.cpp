@@ -122,6 +122,7 @@ void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderS
     free_memory(released->texels);
   }
   addresses_.root = scene.root;
+  addresses_.horizon = scene.horizon;
   addresses_.boxes_along = scene.boxes_along;
   addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.static_lights;

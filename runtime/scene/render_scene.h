@@ -88,6 +88,7 @@ struct RenderScene {
   glm::dvec3 origin{0};
   LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
+  gpu::Horizon horizon{BVH_EMPTY, 0, glm::vec2(1), glm::vec2(0)};
   glm::vec2 boxes_along{1, 0};      // gpu::SceneBuffers::boxes_along
   TriangleList triangles;
   LargeVector<std::uint32_t> triangle_order;  // which triangle is at each position of the leaves
@@ -105,7 +106,7 @@ struct RenderScene {
   std::vector<std::uint32_t> switches;  // s since noon
   Traffic traffic;
   SkyMap sky_map;
-  Box root_box{};                             // of the TLAS: the bounds, and the horizon
+  Box root_box{};                             // of the TLAS
   Box bounds;                                 // of all static geometry but the horizon
   Georeference georeference{};                // of this frame
   ScenePlaces places{};                       // streets in this frame

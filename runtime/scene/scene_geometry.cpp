@@ -12,6 +12,7 @@
 #include "formats/finite.h"
 #include "formats/hierarchy/cutting_build.h"
 #include "formats/hierarchy/static_geometry.h"
+#include "runtime/scene/free_rectangle.h"
 #include "runtime/scene/local_origin.h"
 #include "runtime/scene/mesh_blas.h"
 #include "runtime/scene/parts.h"
@@ -50,20 +51,53 @@ Box transformed(const Box& box, const glm::dmat4& m) {
   return out;
 }
 
-// Builds the TLAS over the instances, and puts them in its order.
-void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes, unsigned threads) {
+// Instances, and the box of each.
+struct PlacedInstances {
+  std::vector<gpu::Instance> instances;
+  std::vector<Box> boxes;
+};
+
+// Builds a TLAS over instances, appends them in its order, and returns its root.
+std::uint32_t add_tlas(RenderScene& out, const PlacedInstances& placed, unsigned threads) {
   std::vector<std::uint8_t> masks;
-  masks.reserve(out.instances.size());
-  for (const gpu::Instance& instance : out.instances)
+  masks.reserve(placed.instances.size());
+  for (const gpu::Instance& instance : placed.instances)
     masks.push_back(static_cast<std::uint8_t>(instance.mask));
-  Bvh top = build_bvh(instance_boxes, 1, tlas_stack, masks, threads);
-  std::vector<gpu::Instance> ordered;
-  ordered.reserve(top.order.size());
-  for (const std::uint32_t i : top.order) ordered.push_back(out.instances[i]);
-  out.instances = std::move(ordered);
-  rebase(top, static_cast<std::uint32_t>(out.nodes.size()), 0);
-  out.root = top.root;
+  Bvh top = build_bvh(placed.boxes, 1, tlas_stack, masks, threads);
+  rebase(top, static_cast<std::uint32_t>(out.nodes.size()),
+         static_cast<std::uint32_t>(out.instances.size()));
+  for (const std::uint32_t i : top.order) out.instances.push_back(placed.instances[i]);
   out.nodes.insert(out.nodes.end(), top.nodes.begin(), top.nodes.end());
+  return top.root;
+}
+
+// Returns the ground around the scene with its hierarchy, which is added.
+gpu::Horizon add_horizon(RenderScene& out, const PlacedInstances& placed, unsigned threads) {
+  gpu::Horizon horizon{add_tlas(out, placed, threads), 0, glm::vec2(1), glm::vec2(0)};
+  if (horizon.root == BVH_EMPTY) return horizon;
+  FreeRectangle free({out.bounds.lower.x, out.bounds.lower.z},
+                     {out.bounds.upper.x, out.bounds.upper.z});
+  horizon.top = placed.boxes.front().upper.y;
+  for (const Box& box : placed.boxes) horizon.top = std::max(horizon.top, box.upper.y);
+  for (const gpu::Instance& instance : placed.instances) {
+    glm::dmat4 to_object(1);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column)
+        to_object[column][row] = double(instance.to_object[row][column]);
+    const glm::dmat4 to_scene = glm::inverse(to_object);
+    const auto mesh = std::find_if(out.meshes.begin(), out.meshes.end(),
+                                   [&](const Mesh& m) { return m.root == instance.root; });
+    for (std::uint32_t i = 0; i < mesh->triangles; ++i) {
+      const gpu::Triangle triangle = out.triangles[mesh->first_triangle + i];
+      free.leave_out({hierarchy::place(to_scene, triangle.v0),
+                      hierarchy::place(to_scene, triangle.v1),
+                      hierarchy::place(to_scene, triangle.v2)});
+    }
+  }
+  if (free.empty()) return horizon;
+  horizon.lower = free.lower();
+  horizon.upper = free.upper();
+  return horizon;
 }
 
 // Asks for all memory at once, because growing an array holds it twice. What is asked for and not
@@ -186,19 +220,20 @@ hierarchy::BoxFrame find_frame(const RenderScene& out, const Scene& scene, const
 // vertices that were to be looked at later must be looked at before.
 bool add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
                      const StoredMeshes& stored, MeshPlacement& placement, unsigned threads) {
-  std::vector<Box> boxes;
+  PlacedInstances inside, around;
   const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow,
-                         bool in_bounds = true) {
+                         bool is_around = false) {
     if (root == BVH_EMPTY) return;
     const Box placed = transformed(box, at.to_scene);
     if (!is_within_reach(placed.lower) || !is_within_reach(placed.upper)) {
       ++out.dropped_instances;
       return;
     }
-    boxes.push_back(placed);
-    out.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at));
-    out.root_box.grow(boxes.back());
-    if (in_bounds) out.bounds.grow(boxes.back());
+    PlacedInstances& to = is_around && !shadow ? around : inside;
+    to.boxes.push_back(placed);
+    to.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at));
+    if (&to == &inside) out.root_box.grow(placed);
+    if (!is_around) out.bounds.grow(placed);
   };
   const hierarchy::BoxFrame frame = find_frame(out, scene, meshes, stored, placement);
   out.boxes_along = frame.along;
@@ -207,10 +242,10 @@ bool add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
     const auto added =
         add_static_blas(out, merged.range, merged.vertices, threads, merged.hierarchy, frame);
     if (!added) return false;
-    const std::size_t before = out.instances.size();
+    const std::size_t before = inside.instances.size();
     place(added->first, added->second, {glm::dmat4(1.0)}, shadow);
-    if (frame.is_turned() && out.instances.size() > before)
-      out.instances.back().mask |= MASK_TURNED;
+    if (frame.is_turned() && inside.instances.size() > before)
+      inside.instances.back().mask |= MASK_TURNED;
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(stored.instanced.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -218,9 +253,10 @@ bool add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& mes
     auto& mesh = built.at(scene.nodes[i].mesh);
     if (!mesh) mesh = add_blas(out, *stored.instanced.at(scene.nodes[i].mesh), threads);
     for (const Placement& at : placement.find_placements(i))
-      place(mesh->first, mesh->second, at, placement.casts_shadow(i), !is_horizon(scene.nodes[i]));
+      place(mesh->first, mesh->second, at, placement.casts_shadow(i), is_horizon(scene.nodes[i]));
   }
-  add_tlas(out, boxes, threads);
+  out.root = add_tlas(out, inside, threads);
+  out.horizon = add_horizon(out, around, threads);
   return true;
 }
 

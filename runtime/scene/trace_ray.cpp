@@ -97,7 +97,7 @@ std::optional<RayHit> trace_ray(const RenderScene& scene, const glm::dvec3& orig
                                 const glm::dvec3& direction, double t_max, std::uint32_t mask) {
   std::optional<RayHit> nearest;
   const Ray ray = make_ray(origin, direction);
-  traverse(scene, scene.root, ray, mask, t_max, [&](std::uint32_t i, std::uint32_t) {
+  const auto enter_instance = [&](std::uint32_t i, std::uint32_t) {
     const gpu::Instance& instance = scene.instances[i];
     if ((instance.mask & mask) == 0) return;
     const auto apply = [&](const glm::dvec3& v, double w) {
@@ -122,7 +122,9 @@ std::optional<RayHit> trace_ray(const RenderScene& scene, const glm::dvec3& orig
                  nearest = RayHit{*t, i, triangle, {}};
                }
              });
-  });
+  };
+  for (const std::uint32_t root : {scene.root, scene.horizon.root})
+    traverse(scene, root, ray, mask, t_max, enter_instance);
   if (!nearest) return nearest;
   const gpu::Triangle& triangle = scene.triangles[nearest->triangle];
   const gpu::Instance& instance = scene.instances[nearest->instance];
