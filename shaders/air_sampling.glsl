@@ -196,6 +196,9 @@ SampledLight sample_static_light_in_air(AirRay ray, float technique) {
 
 // The same of a vehicle's light.
 SampledLight sample_vehicle_light(AirRay ray) {
+  ray.origin = turn_to_boxes(ray.origin);
+  ray.direction = turn_to_boxes(ray.direction);
+  ray.normal = turn_to_boxes(ray.normal);
   float pdf = 1.0;
   uint place = 0u;
   for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {

@@ -1,6 +1,7 @@
 // The geometry that rays are traced through: nodes of a bounding volume hierarchy (BVH), triangles
-// and instances. A mesh has a bottom-level hierarchy (BLAS) over its triangles; a scene has one
-// top-level hierarchy (TLAS) over its instances.
+// and instances. A mesh that stands in several places has a hierarchy (BLAS) over its triangles, in
+// its own frame. A scene has one (TLAS) over the instances of such meshes and, directly, all
+// triangles that do not move and are stored where they stand.
 #ifndef NIGHTCITY_SHADERS_BVH_TYPES_H
 #define NIGHTCITY_SHADERS_BVH_TYPES_H
 
@@ -21,15 +22,17 @@ struct BvhNode {
   uint exponents;  // step = 2^(byte - 127) for x, y, z in the low three bytes
   uint lower[3];   // x, y, z: one byte per child
   uint upper[3];
-  // BVH_EMPTY, the index of an inner node, or a leaf: BVH_LEAF | (count - 1) << 27 | first
+  // BVH_EMPTY, the index of an inner node, or a leaf: of triangles, BVH_LEAF | (count - 1) << 27 |
+  // first, or of an instance, BVH_LEAF | BVH_INSTANCE | its index.
   uint child[4];
-  // One byte per child: the MASK_* bits of the instances below it. Within a mesh every bit is set;
+  // One byte per child: the MASK_* bits of what lies below it. Within a mesh every bit is set;
   // 0 = no child.
   uint masks;
   uint pad;
 };
 #define BVH_EMPTY 0xFFFFFFFFu
 #define BVH_LEAF 0x80000000u
+#define BVH_INSTANCE 0x40000000u
 #define BVH_LEAF_COUNT_SHIFT 27
 #define BVH_LEAF_FIRST_MASK 0x07FFFFFFu  // 134 million triangles
 #define BVH_MAX_LEAF 8
@@ -37,7 +40,7 @@ struct BvhNode {
 // reads a plane's byte b as 32768 + b: 2^-9 of a step is lost where 32768 steps are taken off
 // again, and as much where they are multiplied.
 #define BVH_MARGIN 0.0078125f
-#define BVH_STACK 80  // entries that a ray may defer; the builder keeps to it
+#define BVH_STACK 96  // entries that a ray may defer; the builder keeps to it
 
 // Three corners in the mesh's own frame, and what they belong to.
 struct Triangle {
@@ -64,8 +67,10 @@ struct Instance {
 #define MASK_SHADOW 1u   // stops shadow rays
 #define MASK_VISIBLE 2u  // seen by the camera
 #define MASK_VEHICLE 4u  // a vehicle, whose triangles' lights count from the instance's
-// The boxes of its mesh lie along SceneBuffers::boxes_along; its to_object is the identity.
-#define MASK_TURNED 8u
+
+// The instance of triangles that lie in the scene's own hierarchy, where there are any: one whose
+// to_object is the identity.
+#define STATIC_INSTANCE 0u
 
 // The ground around the scene, to the horizon, which casts no shadow. Its box would make those of
 // the scene coarse, so it has a hierarchy of its own, and only rays that may meet it go there.

@@ -73,6 +73,12 @@ bool in_picture(ivec2 at) {
   return all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, ivec2(FRAME.size)));
 }
 
+// Returns a vector of model space in the frame that the boxes of the scene's hierarchies lie in.
+vec3 turn_to_boxes(vec3 v) {
+  const vec2 along = SCENE.boxes_along;
+  return vec3(along.x * v.x + along.y * v.z, v.y, along.x * v.z - along.y * v.x);
+}
+
 // Returns a whole number below 2^23 as a float: its bits are the fraction of a float from 2^23 on.
 // GPUs convert at a fraction of the rate at which they add, and sampling lights converts a lot. It
 // is precise, because a driver (NVIDIA 580) seems to join the constants of sums, and then a number

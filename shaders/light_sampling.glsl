@@ -62,7 +62,8 @@ float vehicle_share(bool any_static) {
   return all.flux_lm > 0.0 ? FRAME.vehicle_share : 0.0;
 }
 
-// Returns an estimate of what a node's lights contribute here, whatever their directions.
+// Returns an estimate of what a node's lights contribute here, whatever their directions. The place
+// is in the frame of the nodes' boxes.
 float importance(LightNode node, vec3 position) {
   if (node.lower.x > node.upper.x) return 0.0;
   const vec3 d = 0.5 * (node.lower + node.upper) - position;
@@ -75,6 +76,7 @@ float importance(LightNode node, vec3 position) {
 // passed by counts as nodes.
 float vehicle_strength(vec3 position) {
   float passed_by = 0.0, most = 0.0;
+  const vec3 in_boxes = turn_to_boxes(position);
   uint place = 0u;
   for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {
     uint chosen = 0u;
@@ -84,7 +86,7 @@ float vehicle_strength(vec3 position) {
       const uint below = 4u * place + i;
       if (below >= SCENE.traffic.level_count[level - 1u]) break;
       const float strength = importance(
-          FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below], position);
+          FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below], in_boxes);
       sum += strength;
       if (strength <= most) continue;
       most = strength;
@@ -205,6 +207,7 @@ SampledLight sample_light_of_vehicle(LightNode leaf, float pdf) {
 }
 
 SampledLight sample_vehicle_light(vec3 position) {
+  const vec3 in_boxes = turn_to_boxes(position);
   float pdf = 1.0;
   uint place = 0u;
   for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {
@@ -214,7 +217,7 @@ SampledLight sample_vehicle_light(vec3 position) {
       weight[i] =
           below < SCENE.traffic.level_count[level - 1u]
               ? importance(FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below],
-                           position)
+                           in_boxes)
               : 0.0;
     }
     const uint child = sample_child(weight, pdf);

@@ -29,10 +29,12 @@ Ray make_ray(vec3 origin, vec3 direction) {
   return ray;
 }
 
-// Returns a vector of model space in the frame of MASK_TURNED's boxes.
-vec3 turn_to_boxes(vec3 v) {
-  const vec2 along = SCENE.boxes_along;
-  return vec3(along.x * v.x + along.y * v.z, v.y, along.x * v.z - along.y * v.x);
+// Returns a ray of the scene, before it enters an instance.
+Ray make_scene_ray(vec3 origin, vec3 direction) {
+  Ray ray = make_ray(origin, direction);
+  ray.origin = turn_to_boxes(origin);
+  ray.inverse = invert(turn_to_boxes(direction));
+  return ray;
 }
 
 // Returns 32768 + b for each byte b of a word: b is the second byte of such a float's bits. GPUs

@@ -18,8 +18,9 @@ struct Material {
   vec3 base_colour;  // linear Rec. 709 reflectance
   float roughness;
   vec3 emission;  // cd/m^2 per channel
-  uint texture;   // 1 + index of its texture; 0 = none
+  uint texture;   // 1 + index of its texture; 0 = none; PANE
 };
+#define PANE 0xFFFFFFFFu  // the pane of a window, through which a room is seen
 
 // A surface under a texture keeps its reflectance, and not its material, in the word that says
 // which material it is of: this bit, and 10 bits a channel (materials.glsl). Such surfaces neither
@@ -144,7 +145,7 @@ struct TrafficBuffers {
   // scene.
   uint first_bvh_node;
   uint static_root;   // root of the TLAS over what does not move
-  vec3 lower, upper;  // box of the static scene
+  vec3 lower, upper;  // box of the static scene, in the frame of the TLAS's boxes
   // Levels of the light BVH over the vehicles; level 0 holds the leaves.
   uint level_first[VEHICLE_LEVELS];
   uint level_count[VEHICLE_LEVELS];
@@ -196,7 +197,8 @@ struct SceneBuffers {
   uvec2 tlas;                  // address of the device's own TLAS, where that is traced
   uint root;                   // root of our own TLAS, or BVH_EMPTY
   Horizon horizon;
-  vec2 boxes_along;            // x and z of the unit vector that boxes of MASK_TURNED lie along
+  vec2 boxes_along;            // x and z of the unit vector that boxes of the TLAS lie along
+  float boxes_margin_m;        // by which they are wider than what they hold
   uint light_count;            // static lights, then VEHICLE_LIGHTS per trip
   uint static_lights;          // lights that do not move
   uint lit_count;              // static lights that shine now

@@ -1,5 +1,5 @@
 // Traces rays through the scene, for the closest hit or for occlusion. There are three backends,
-// chosen by --trace: our own two-level BVH of quantised four-wide nodes; and the device's
+// chosen by --trace: our own BVH of quantised four-wide nodes; and the device's
 // acceleration structures, either by ray queries (TRACE_QUERY) or in a ray tracing pipeline
 // (TRACE_PIPELINE).
 
@@ -109,15 +109,15 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
   float stack_t[BVH_STACK];  // at which distances the ray enters them
 #endif
   int top = 0;
-  int floor_of_level = 0;     // stack height at which the current BLAS or TLAS is done
-  uint instance = NO_HIT;     // NO_HIT: in the TLAS
-  bool is_turned = false;     // the instance is MASK_TURNED
-  Ray ray = make_ray(origin, direction);
+  int floor_of_level = 0;  // stack height at which an instance, or the scene, is done
+  uint instance = STATIC_INSTANCE;
+  bool is_inside = false;  // an instance
+  Ray ray = make_scene_ray(origin, direction);
 
   // Inner nodes have a loop of their own, so that lanes in lockstep pay for leaves only once one of
   // them has reached a leaf (Aila, Laine: Understanding the efficiency of ray traversal on GPUs,
   // HPG 2009). BVH_EMPTY counts as a leaf by its top bit, and means that nothing is left in this
-  // BLAS or TLAS.
+  // instance or in the scene.
   while (true) {
     while ((node & BVH_LEAF) == 0u) {
       const uvec4 w0 = SCENE.nodes.at[node * 4u];
@@ -137,48 +137,28 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
         is_entered = lessThan(t, vec4(1e30));
       }
       // The first child that is entered is next; the others wait, the second on top.
-      uint next = BVH_EMPTY;
-      float next_t = 0.0;
-      if (is_entered.w) next = child.w, next_t = t.w;
+      node = BVH_EMPTY;
+      float node_t = 0.0;
+      if (is_entered.w) node = child.w, node_t = t.w;
       if (is_entered.z) {
-        if (next != BVH_EMPTY) DEFER(next, next_t);
-        next = child.z, next_t = t.z;
+        if (node != BVH_EMPTY) DEFER(node, node_t);
+        node = child.z, node_t = t.z;
       }
       if (is_entered.y) {
-        if (next != BVH_EMPTY) DEFER(next, next_t);
-        next = child.y, next_t = t.y;
+        if (node != BVH_EMPTY) DEFER(node, node_t);
+        node = child.y, node_t = t.y;
       }
       if (is_entered.x) {
-        if (next != BVH_EMPTY) DEFER(next, next_t);
-        next = child.x;
+        if (node != BVH_EMPTY) DEFER(node, node_t);
+        node = child.x;
       }
-      TAKE_DEFERRED(next, floor_of_level);
-      node = next;
+      TAKE_DEFERRED(node, floor_of_level);
     }
     if (node != BVH_EMPTY) {
       const uint first = node & BVH_LEAF_FIRST_MASK;
-      if (instance == NO_HIT) {
-        if ((SCENE.instances.at[first].mask & mask) != 0u) {
-          const vec4 r0 = SCENE.instances.at[first].to_object[0];
-          const vec4 r1 = SCENE.instances.at[first].to_object[1];
-          const vec4 r2 = SCENE.instances.at[first].to_object[2];
-          ray = make_ray(
-              vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) +
-                  vec3(r0.w, r1.w, r2.w),
-              vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
-          is_turned = (SCENE.instances.at[first].mask & MASK_TURNED) != 0u;
-          if (is_turned) {
-            ray.origin = turn_to_boxes(origin);
-            ray.inverse = invert(turn_to_boxes(direction));
-          }
-          instance = first;
-          floor_of_level = top;
-          node = SCENE.instances.at[first].root;
-          continue;
-        }
-      } else {
+      if ((node & BVH_INSTANCE) == 0u) {
         const uint count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1u;
-        const vec3 from = is_turned ? origin : ray.origin;
+        const vec3 from = is_inside ? ray.origin : origin;
         for (uint i = first; i < first + count; ++i) {
           float t;
           if (intersect_triangle(SCENE.triangles.at[i * 3u].xyz,
@@ -189,12 +169,26 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
             if (any) return true;
           }
         }
+      } else if ((SCENE.instances.at[first].mask & mask) != 0u) {
+        const vec4 r0 = SCENE.instances.at[first].to_object[0];
+        const vec4 r1 = SCENE.instances.at[first].to_object[1];
+        const vec4 r2 = SCENE.instances.at[first].to_object[2];
+        ray = make_ray(
+            vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) +
+                vec3(r0.w, r1.w, r2.w),
+            vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
+        is_inside = true;
+        instance = first;
+        floor_of_level = top;
+        node = SCENE.instances.at[first].root;
+        continue;
       }
     }
-    if (top == floor_of_level && instance != NO_HIT) {
-      instance = NO_HIT;
+    if (top == floor_of_level && is_inside) {
+      is_inside = false;
+      instance = STATIC_INSTANCE;
       floor_of_level = 0;
-      ray = make_ray(origin, direction);
+      ray = make_scene_ray(origin, direction);
     }
     node = BVH_EMPTY;
     if (top == 0) {

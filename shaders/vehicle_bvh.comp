@@ -60,7 +60,7 @@ void main() {
       if (node.lower.x > node.upper.x) continue;
       c.lower[i] = node.lower;
       c.upper[i] = node.upper;
-      c.child[i] = level == 1u ? BVH_LEAF | (TRAFFIC.first_instance + node.item)
+      c.child[i] = level == 1u ? BVH_LEAF | BVH_INSTANCE | (TRAFFIC.first_instance + node.item)
                                : TRAFFIC.first_bvh_node + TRAFFIC.level_first[level - 1u] -
                                      TRAFFIC.trip_count + below;
       all.lower = min(all.lower, node.lower);

@@ -59,14 +59,17 @@ void main() {
   LightNode box = LightNode(vec3(1e30), 0.0, vec3(-1e30), trip);
   uint cell = vehicle_cells();
   if (pose.on_road) {
-    const vec3 centre = pose.position + pose.axes * (0.5 * (body.lower + body.upper));
+    const vec3 centre =
+        turn_to_boxes(pose.position + pose.axes * (0.5 * (body.lower + body.upper)));
     const vec3 half_size = 0.5 * (body.upper - body.lower);
-    const vec3 reach = abs(pose.axes[0]) * half_size.x + abs(pose.axes[1]) * half_size.y +
-                       abs(pose.axes[2]) * half_size.z;
+    const vec3 reach = abs(turn_to_boxes(pose.axes[0])) * half_size.x +
+                       abs(turn_to_boxes(pose.axes[1])) * half_size.y +
+                       abs(turn_to_boxes(pose.axes[2])) * half_size.z;
     // As for static instances, the margin makes up for the rounding of the box's corners.
-    const vec3 margin = 1e-6 * max(abs(centre - reach), abs(centre + reach)) + 1e-6;
+    const vec3 margin =
+        1e-6 * max(abs(centre - reach), abs(centre + reach)) + 1e-6 + SCENE.boxes_margin_m;
     box = LightNode(centre - reach - margin, flux, centre + reach + margin, trip);
-    cell = vehicle_cell(pose.position);
+    cell = vehicle_cell(turn_to_boxes(pose.position));
   }
   FRAME.vehicle_boxes.at[trip] = box;
   FRAME.vehicle_cells.at[2u * trip] = cell;

@@ -124,6 +124,7 @@ void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderS
   addresses_.root = scene.root;
   addresses_.horizon = scene.horizon;
   addresses_.boxes_along = scene.boxes_along;
+  addresses_.boxes_margin_m = scene.boxes_margin_m;
   addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.static_lights;
   std::span<const gpu::Instance> instances = scene.instances;

@@ -41,6 +41,7 @@ std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3
       pending.pop_back();
       if (node == BVH_EMPTY) continue;
       if (node & BVH_LEAF) {
+        if (node & BVH_INSTANCE) continue;  // it has its own turn
         const std::uint32_t first = node & BVH_LEAF_FIRST_MASK;
         const std::uint32_t count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1;
         for (std::uint32_t i = first; i < first + count; ++i)

@@ -121,13 +121,4 @@ BvhRoot append_cut_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& tri
   return {root.node, root.stack_need, to_box(bounds)};
 }
 
-void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {
-  const auto shift = [&](std::uint32_t& child) {
-    if (child != BVH_EMPTY) child += (child & BVH_LEAF) ? first_base : node_base;
-  };
-  shift(bvh.root);
-  for (gpu::BvhNode& node : bvh.nodes)
-    for (std::uint32_t& child : node.child) shift(child);
-}
-
 }  // namespace nightcity::scene

@@ -62,8 +62,4 @@ void check_triangle_count(std::size_t count);
 /// `max_stack` that build_bvh accepts.
 std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf);
 
-/// Adds `node_base` to the indices of inner children and `first_base` to leaf ranges, so that
-/// several BVHs can share one buffer.
-void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base);
-
 }  // namespace nightcity::scene

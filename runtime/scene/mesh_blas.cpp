@@ -12,11 +12,11 @@ namespace {
 // that holds its hierarchies costs neither, however large the scene is.
 constexpr std::size_t most_cut_here = 4'000'000;
 
-RootAndBox add_mesh(RenderScene& scene, const TriangleRange& range, const BvhRoot& root) {
+BvhRoot add_mesh(RenderScene& scene, const TriangleRange& range, const BvhRoot& root) {
   if (range.first < range.end)
     scene.meshes.push_back({root.node, static_cast<std::uint32_t>(range.first),
                             static_cast<std::uint32_t>(range.end - range.first)});
-  return {root.node, root.box};
+  return root;
 }
 
 }  // namespace
@@ -26,8 +26,8 @@ void say_unused(RenderScene& scene, const std::string& fault) {
     scene.unused_hierarchies.push_back("a stored hierarchy is not used, because " + fault);
 }
 
-RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
-                    std::uint32_t stack, const hierarchy::BoxFrame& frame) {
+BvhRoot add_blas(RenderScene& scene, const TriangleRange& range, unsigned threads,
+                 std::uint32_t stack, const hierarchy::BoxFrame& frame) {
   const std::size_t position = scene.triangle_order.size();
   scene.triangle_order.resize(position + range.end - range.first);
   const BvhRoot root =
@@ -36,10 +36,10 @@ RootAndBox add_blas(RenderScene& scene, const TriangleRange& range, unsigned thr
   return add_mesh(scene, range, root);
 }
 
-std::optional<RootAndBox> add_static_blas(RenderScene& scene, const TriangleRange& range,
-                                          VertexCheck vertices, unsigned threads,
-                                          const StoredHierarchy* stored,
-                                          const hierarchy::BoxFrame& frame) {
+std::optional<BvhRoot> add_static_blas(RenderScene& scene, const TriangleRange& range,
+                                       VertexCheck vertices, unsigned threads,
+                                       const StoredHierarchy* stored,
+                                       const hierarchy::BoxFrame& frame) {
   const std::size_t count = range.end - range.first, position = scene.triangle_order.size();
   BvhRoot root;
   if (stored) {

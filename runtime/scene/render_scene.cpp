@@ -55,7 +55,8 @@ namespace {
 
 void add_materials(RenderScene& out, const Scene& scene) {
   for (const SceneMaterial& m : scene.materials) {
-    out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, 0});
+    const bool is_pane = m.name == window_pane_material;
+    out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, is_pane ? PANE : 0});
     out.carriageways.push_back(is_carriageway_material(m.name));
   }
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});

@@ -90,6 +90,7 @@ struct RenderScene {
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
   gpu::Horizon horizon{BVH_EMPTY, 0, glm::vec2(1), glm::vec2(0)};
   glm::vec2 boxes_along{1, 0};      // gpu::SceneBuffers::boxes_along
+  float boxes_margin_m = 0;
   TriangleList triangles;
   LargeVector<std::uint32_t> triangle_order;  // which triangle is at each position of the leaves
   std::vector<Mesh> meshes{};                 // none is empty
@@ -106,7 +107,7 @@ struct RenderScene {
   std::vector<std::uint32_t> switches;  // s since noon
   Traffic traffic;
   SkyMap sky_map;
-  Box root_box{};                             // of the TLAS
+  Box root_box{};                             // of the TLAS, in the frame of its boxes
   Box bounds;                                 // of all static geometry but the horizon
   Georeference georeference{};                // of this frame
   ScenePlaces places{};                       // streets in this frame

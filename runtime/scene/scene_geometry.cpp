@@ -12,10 +12,10 @@
 #include "formats/finite.h"
 #include "formats/hierarchy/cutting_build.h"
 #include "formats/hierarchy/static_geometry.h"
-#include "runtime/scene/free_rectangle.h"
 #include "runtime/scene/local_origin.h"
 #include "runtime/scene/mesh_blas.h"
 #include "runtime/scene/parts.h"
+#include "runtime/scene/top_level.h"
 #include "runtime/scene/wall_frame.h"
 
 namespace nightcity::scene {
@@ -36,68 +36,21 @@ gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, boo
   return instance;
 }
 
-Box transformed(const Box& box, const glm::dmat4& m) {
+// Returns the box of another that is moved, in a frame.
+Box transformed(const Box& box, const glm::dmat4& m, const hierarchy::BoxFrame& frame = {}) {
   Box out;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec4 p((corner & 1) ? box.upper.x : box.lower.x,
                        (corner & 2) ? box.upper.y : box.lower.y,
                        (corner & 4) ? box.upper.z : box.lower.z, 1.0);
-    out.grow(glm::vec3(m * p));
+    out.grow(glm::vec3(frame.turn(glm::dvec3(m * p))));
   }
   // The corners were rounded to float: a margin of one part in a million keeps the content inside.
-  const glm::vec3 margin = 1e-6f * glm::max(glm::abs(out.lower), glm::abs(out.upper)) + 1e-6f;
+  const glm::vec3 margin =
+      1e-6f * glm::max(glm::abs(out.lower), glm::abs(out.upper)) + 1e-6f + frame.margin_m;
   out.lower -= margin;
   out.upper += margin;
   return out;
-}
-
-// Instances, and the box of each.
-struct PlacedInstances {
-  std::vector<gpu::Instance> instances;
-  std::vector<Box> boxes;
-};
-
-// Builds a TLAS over instances, appends them in its order, and returns its root.
-std::uint32_t add_tlas(RenderScene& out, const PlacedInstances& placed, unsigned threads) {
-  std::vector<std::uint8_t> masks;
-  masks.reserve(placed.instances.size());
-  for (const gpu::Instance& instance : placed.instances)
-    masks.push_back(static_cast<std::uint8_t>(instance.mask));
-  Bvh top = build_bvh(placed.boxes, 1, tlas_stack, masks, threads);
-  rebase(top, static_cast<std::uint32_t>(out.nodes.size()),
-         static_cast<std::uint32_t>(out.instances.size()));
-  for (const std::uint32_t i : top.order) out.instances.push_back(placed.instances[i]);
-  out.nodes.insert(out.nodes.end(), top.nodes.begin(), top.nodes.end());
-  return top.root;
-}
-
-// Returns the ground around the scene with its hierarchy, which is added.
-gpu::Horizon add_horizon(RenderScene& out, const PlacedInstances& placed, unsigned threads) {
-  gpu::Horizon horizon{add_tlas(out, placed, threads), 0, glm::vec2(1), glm::vec2(0)};
-  if (horizon.root == BVH_EMPTY) return horizon;
-  FreeRectangle free({out.bounds.lower.x, out.bounds.lower.z},
-                     {out.bounds.upper.x, out.bounds.upper.z});
-  horizon.top = placed.boxes.front().upper.y;
-  for (const Box& box : placed.boxes) horizon.top = std::max(horizon.top, box.upper.y);
-  for (const gpu::Instance& instance : placed.instances) {
-    glm::dmat4 to_object(1);
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 4; ++column)
-        to_object[column][row] = double(instance.to_object[row][column]);
-    const glm::dmat4 to_scene = glm::inverse(to_object);
-    const auto mesh = std::find_if(out.meshes.begin(), out.meshes.end(),
-                                   [&](const Mesh& m) { return m.root == instance.root; });
-    for (std::uint32_t i = 0; i < mesh->triangles; ++i) {
-      const gpu::Triangle triangle = out.triangles[mesh->first_triangle + i];
-      free.leave_out({hierarchy::place(to_scene, triangle.v0),
-                      hierarchy::place(to_scene, triangle.v1),
-                      hierarchy::place(to_scene, triangle.v2)});
-    }
-  }
-  if (free.empty()) return horizon;
-  horizon.lower = free.lower();
-  horizon.upper = free.upper();
-  return horizon;
 }
 
 // Asks for all memory at once, because growing an array holds it twice. What is asked for and not
@@ -215,48 +168,49 @@ hierarchy::BoxFrame find_frame(const RenderScene& out, const Scene& scene, const
   return frame;
 }
 
-// Builds a BLAS for each mesh that is instanced, and two for all others: a ray then crosses the
-// city without leaving and entering instances. And the TLAS over all of them. Returns false where
-// vertices that were to be looked at later must be looked at before.
+// Builds a BLAS for each mesh that is instanced, and two hierarchies for all others: a ray then
+// crosses the city without leaving and entering instances. And the TLAS over all of them. Returns
+// false where vertices that were to be looked at later must be looked at before.
 bool add_hierarchies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
                      const StoredMeshes& stored, MeshPlacement& placement, unsigned threads) {
-  PlacedInstances inside, around;
-  const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow,
-                         bool is_around = false) {
-    if (root == BVH_EMPTY) return;
-    const Box placed = transformed(box, at.to_scene);
-    if (!is_within_reach(placed.lower) || !is_within_reach(placed.upper)) {
-      ++out.dropped_instances;
-      return;
-    }
-    PlacedInstances& to = is_around && !shadow ? around : inside;
-    to.boxes.push_back(placed);
-    to.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at));
-    if (&to == &inside) out.root_box.grow(placed);
-    if (!is_around) out.bounds.grow(placed);
-  };
   const hierarchy::BoxFrame frame = find_frame(out, scene, meshes, stored, placement);
   out.boxes_along = frame.along;
+  out.boxes_margin_m = frame.margin_m;
+  std::vector<TopPart> inside, around;
   for (const bool shadow : {true, false}) {
     const MergedMeshes& merged = stored.merged[shadow ? 0 : 1];
     const auto added =
         add_static_blas(out, merged.range, merged.vertices, threads, merged.hierarchy, frame);
     if (!added) return false;
-    const std::size_t before = inside.instances.size();
-    place(added->first, added->second, {glm::dmat4(1.0)}, shadow);
-    if (frame.is_turned() && inside.instances.size() > before)
-      inside.instances.back().mask |= MASK_TURNED;
+    if (added->node == BVH_EMPTY) continue;
+    // Pipelines of the device know no triangles but those of instances.
+    out.instances.push_back(make_instance(glm::dmat4(1), added->node, shadow, {glm::dmat4(1)}));
+    inside.push_back({added->node, added->stack_need, out.instances.back(),
+                      transformed(added->box, glm::dmat4(1), frame), true});
+    out.bounds.grow(transformed(added->box, glm::dmat4(1)));
   }
-  std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(stored.instanced.size());
+  std::vector<std::optional<BvhRoot>> built(stored.instanced.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (placement.is_skipped(i) || placement.is_merged(i)) continue;
     auto& mesh = built.at(scene.nodes[i].mesh);
     if (!mesh) mesh = add_blas(out, *stored.instanced.at(scene.nodes[i].mesh), threads);
-    for (const Placement& at : placement.find_placements(i))
-      place(mesh->first, mesh->second, at, placement.casts_shadow(i), is_horizon(scene.nodes[i]));
+    if (mesh->node == BVH_EMPTY) continue;
+    const bool shadow = placement.casts_shadow(i), is_around = is_horizon(scene.nodes[i]);
+    for (const Placement& at : placement.find_placements(i)) {
+      const Box box = transformed(mesh->box, at.to_scene);
+      if (!is_within_reach(box.lower) || !is_within_reach(box.upper)) {
+        ++out.dropped_instances;
+        continue;
+      }
+      (is_around && !shadow ? around : inside)
+          .push_back({mesh->node, mesh->stack_need,
+                      make_instance(glm::inverse(at.to_scene), mesh->node, shadow, at),
+                      transformed(mesh->box, at.to_scene, frame)});
+      if (!is_around) out.bounds.grow(box);
+    }
   }
-  out.root = add_tlas(out, inside, threads);
-  out.horizon = add_horizon(out, around, threads);
+  add_top_level(out, std::move(inside), threads);
+  add_horizon(out, around, threads);
   return true;
 }
 
@@ -310,8 +264,8 @@ void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
       mask |= MASK_SHADOW;
     }
     if (holds(left_out, Part::vehicle_shadows)) mask = MASK_VISIBLE;
-    const auto [root, box] = add_blas(out, {first, out.triangles.size()}, 1, body_stack);
-    out.traffic.bodies.push_back({box.lower, root, box.upper, mask});
+    const BvhRoot root = add_blas(out, {first, out.triangles.size()}, 1, body_stack);
+    out.traffic.bodies.push_back({root.box.lower, root.node, root.box.upper, mask});
   }
 }
 

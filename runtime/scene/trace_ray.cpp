@@ -56,8 +56,8 @@ std::optional<double> hit_triangle(const gpu::Triangle& triangle, const Ray& ray
   return std::nullopt;
 }
 
-// Goes through the hierarchy below `root`, nearer children first, and calls `leaf(first, count)`,
-// which may shorten `t_max`.
+// Goes through the hierarchy below `root`, nearer children first, and calls `leaf` with each leaf
+// (gpu::BvhNode::child), which may shorten `t_max`.
 template <class Leaf>
 void traverse(const RenderScene& scene, std::uint32_t root, const Ray& ray, std::uint32_t mask,
               double& t_max, Leaf leaf) {
@@ -68,7 +68,7 @@ void traverse(const RenderScene& scene, std::uint32_t root, const Ray& ray, std:
   while (top > 0) {
     const std::uint32_t node = stack[--top];
     if (node & BVH_LEAF) {
-      leaf(node & BVH_LEAF_FIRST_MASK, ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1);
+      leaf(node);
       continue;
     }
     const gpu::BvhNode& box = scene.nodes[node];
@@ -96,8 +96,23 @@ void traverse(const RenderScene& scene, std::uint32_t root, const Ray& ray, std:
 std::optional<RayHit> trace_ray(const RenderScene& scene, const glm::dvec3& origin,
                                 const glm::dvec3& direction, double t_max, std::uint32_t mask) {
   std::optional<RayHit> nearest;
-  const Ray ray = make_ray(origin, direction);
-  const auto enter_instance = [&](std::uint32_t i, std::uint32_t) {
+  const auto hit_leaf = [&](std::uint32_t leaf, const Ray& local, std::uint32_t instance) {
+    const std::uint32_t first = leaf & BVH_LEAF_FIRST_MASK,
+                        count = ((leaf & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1;
+    for (std::uint32_t position = first; position < first + count; ++position) {
+      const std::uint32_t triangle = scene.triangle_order[position];
+      const auto t = hit_triangle(scene.triangles[triangle], local, t_max);
+      if (!t) continue;
+      t_max = *t;
+      nearest = RayHit{*t, instance, triangle, {}};
+    }
+  };
+  const hierarchy::BoxFrame frame{scene.boxes_along};
+  const Ray ray = make_ray(origin, direction),
+            in_boxes = make_ray(frame.turn(origin), frame.turn(direction));
+  const auto enter_leaf = [&](std::uint32_t leaf) {
+    if (!(leaf & BVH_INSTANCE)) return hit_leaf(leaf, ray, STATIC_INSTANCE);
+    const std::uint32_t i = leaf & BVH_LEAF_FIRST_MASK;
     const gpu::Instance& instance = scene.instances[i];
     if ((instance.mask & mask) == 0) return;
     const auto apply = [&](const glm::dvec3& v, double w) {
@@ -108,23 +123,11 @@ std::optional<RayHit> trace_ray(const RenderScene& scene, const glm::dvec3& orig
       return result;
     };
     const Ray local = make_ray(apply(origin, 1), apply(direction, 0));
-    const bool is_turned = (instance.mask & MASK_TURNED) != 0;
-    const hierarchy::BoxFrame frame{scene.boxes_along};
-    const Ray in_boxes =
-        is_turned ? make_ray(frame.turn(local.origin), frame.turn(local.direction)) : local;
-    traverse(scene, instance.root, in_boxes, ~0u, t_max,
-             [&](std::uint32_t first, std::uint32_t count) {
-               for (std::uint32_t position = first; position < first + count; ++position) {
-                 const std::uint32_t triangle = scene.triangle_order[position];
-                 const auto t = hit_triangle(scene.triangles[triangle], local, t_max);
-                 if (!t) continue;
-                 t_max = *t;
-                 nearest = RayHit{*t, i, triangle, {}};
-               }
-             });
+    traverse(scene, instance.root, local, ~0u, t_max,
+             [&](std::uint32_t below) { hit_leaf(below, local, i); });
   };
   for (const std::uint32_t root : {scene.root, scene.horizon.root})
-    traverse(scene, root, ray, mask, t_max, enter_instance);
+    traverse(scene, root, in_boxes, mask, t_max, enter_leaf);
   if (!nearest) return nearest;
   const gpu::Triangle& triangle = scene.triangles[nearest->triangle];
   const gpu::Instance& instance = scene.instances[nearest->instance];

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 #include <random>
@@ -146,6 +147,55 @@ inline SceneBuilder random_town(int count, float half, unsigned seed) {
     builder.box({x, 0, z}, {x + width, height, z + depth});
   }
   return builder;
+}
+
+/// Adds `count` instances of a crown of 60 leaves, which are too many triangles to be stored for each
+/// of them, in a square of half side `half`.
+inline void add_trees(Scene& scene, int count, float half, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
+  SceneBuilder crown;
+  for (int i = 0; i < 60; ++i) {
+    const float z = uniform(-1, 1), y = uniform(-1, 1), x = uniform(-1, 1);
+    const float tilt = uniform(-0.2f, 0.2f), lean = uniform(-0.2f, 0.2f);
+    const glm::vec3 middle(x, y, z), u(0.2f, tilt, lean), v(lean, 0.1f, tilt);
+    crown.quad(middle - u - v, middle + u - v, middle + u + v, middle - u + v);
+  }
+  SceneNode node{"crowns", "tree", static_cast<std::uint32_t>(scene.meshes.size()), true, {}};
+  scene.meshes.push_back({"crown", crown.scene().meshes[0].primitives});
+  for (int i = 0; i < count; ++i) {
+    const float z = uniform(-half, half), x = uniform(-half, half), size = uniform(1, 4);
+    glm::mat4 place = glm::translate(glm::mat4(1), glm::vec3(x, 2 + size, z));
+    place = glm::scale(place, glm::vec3(size, 1.2f * size, size));
+    node.instances.push_back({glm::rotate(place, uniform(0, 6), glm::vec3(0, 1, 0)), no_id});
+  }
+  scene.nodes.push_back(node);
+}
+
+/// Adds the ground around a square of half side `half`: a ring of triangles that rises to `rim` m
+/// half way and then falls to `drop` m below the square at `reach`, turned by an angle.
+inline void add_horizon(Scene& scene, float half, float rim, float drop, float reach,
+                        float angle_deg = 0) {
+  ScenePrimitive ring;
+  const float at[] = {half, 2 * half, reach}, height[] = {0, rim, -drop};
+  for (int r = 0; r < 3; ++r)
+    for (int corner = 0; corner < 4; ++corner)
+      ring.positions.push_back(turned(
+          {corner == 0 || corner == 3 ? -at[r] : at[r], height[r], corner < 2 ? -at[r] : at[r]},
+          angle_deg));
+  for (std::uint32_t r = 0; r < 2; ++r)
+    for (std::uint32_t corner = 0; corner < 4; ++corner) {
+      const std::uint32_t a = 4 * r + corner, b = 4 * r + (corner + 1) % 4;
+      ring.indices.insert(ring.indices.end(), {a, b, b + 4, a, b + 4, a + 4});
+    }
+  scene.nodes.push_back({"horizon",
+                         "horizon",
+                         static_cast<std::uint32_t>(scene.meshes.size()),
+                         false,
+                         {SceneInstance{}}});
+  scene.meshes.push_back({"horizon", {ring}});
 }
 
 inline std::vector<Light> random_lamps(int count, float half, unsigned seed) {

@@ -62,6 +62,27 @@ TEST(Traversal, PrimaryDepthsOfATownAtAnAngleMatchBruteForce) {
   }
 }
 
+// Trees are instances whose leaves lie among those of the houses. The ground around them has a
+// hierarchy of its own: rays from within and from outside, level, from above and from below its rim.
+TEST(Traversal, DepthsOfTreesAmongHousesAndOfTheHorizonMatchBruteForce) {
+  for (const float angle : {0.0f, 33.0f}) {
+    SceneBuilder builder = turned(random_town(40, 60, 7), angle);
+    add_trees(builder.scene(), 40, 60, 5);
+    add_horizon(builder.scene(), 60, 9, 200, 4000, angle);
+    const scene::RenderScene scene = builder.with({});
+    EXPECT_EQ(scene.boxes_along == glm::vec2(1, 0), angle == 0);
+    for (const auto& [from, to] : {std::pair(glm::vec3(-70, 35, 80), glm::vec3(0, 5, 0)),
+                                   {{2, 1.7f, 1}, {60, 3, 20}},
+                                   {{0, 60, 0}, {1, 0, 1}},
+                                   {{-300, 2, 20}, {0, 3, 0}},
+                                   {{55, 3, 55}, {400, 5, 300}},
+                                   {{900, 4, 0}, {0, 4, 0}},
+                                   {{0, 3000, 100}, {0, 0, 0}}})
+      expect_depths_like_brute_force(scene, {turned(from, angle), turned(to, angle), {0, 1, 0}, 60},
+                                     64);
+  }
+}
+
 // Lamps that shine alike in all directions: the picture of a town does not change when all of it is
 // turned, and the camera with it. Shadow rays go through boxes along the walls then.
 TEST(Traversal, ATownIsLitTheSameAtAnyAngle) {
@@ -69,8 +90,7 @@ TEST(Traversal, ATownIsLitTheSameAtAnyAngle) {
     std::vector<Light> lamps = random_lamps(30, 60, 4);
     for (Light& light : lamps) light.position = turned(light.position, angle);
     scene::RenderScene scene = turned(random_town(60, 60, 7), angle).with(lamps);
-    if (!boxes_are_turned)
-      for (gpu::Instance& instance : scene.instances) instance.mask &= ~MASK_TURNED;
+    if (!boxes_are_turned) scene.boxes_along = {1, 0};
     const scene::CameraPose pose{
         turned({-70, 35, 80}, angle), turned({0, 5, 0}, angle), {0, 1, 0}, 50};
     return render(scene, pose, with_estimator(render::Estimator::reference, 1), 48, 48, 1);

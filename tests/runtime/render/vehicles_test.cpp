@@ -98,6 +98,73 @@ TEST(Vehicles, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
+// Boxes lie along the walls there, those of vehicles too.
+TEST(Vehicles, AreWhereTheyShouldBeInATownAtAnAngle) {
+  SceneBuilder town;
+  town.ground(60);
+  for (int i = 0; i < 16; ++i) {
+    const float x = float(i % 8) * 12 - 46, z = i < 8 ? -34.0f : 24.0f;
+    town.box({x, 0, z}, {x + 9, 6 + float(i), z + 8});
+  }
+  town = test::turned(town, 33);
+  scene::Traffic traffic = one_kind();
+  std::vector<Light> lamps;
+  SceneBuilder with_cars = town;
+  for (int i = 0; i < 12; ++i) {
+    const float x = float(i % 4) * 9 - 13, z = float(i / 4) * 7 - 7;
+    add_trip(traffic, {knot({x, 0, z}, 0, {0, 0, 0}), knot({x, 0, z}, 90, {0, 0, 0})});
+    with_cars.box({x - 2, 0, z - 1}, {x + 2, 1.6f, z + 1});
+    lamps.push_back(lamp({x + 3, 1, z}, 1000));
+  }
+  scene::SceneLights moving_lights, placed_lights;
+  moving_lights.traffic = std::move(traffic);
+  placed_lights.lights = test::to_large(lamps);
+  const scene::RenderScene moving =
+      scene::make_render_scene(town.scene(), std::move(moving_lights));
+  EXPECT_NE(moving.boxes_along, glm::vec2(1, 0));
+  const scene::RenderScene placed =
+      scene::make_render_scene(with_cars.scene(), std::move(placed_lights));
+  const scene::CameraPose over{{0, 40, 20}, {0, 0, 0}, {0, 1, 0}, 60};
+  const measure::Image truth = render(placed, over, reference_at(0), 64, 64, 4),
+                       seen = render(moving, over, reference_at(10), 64, 64, 4);
+  EXPECT_GT(test::mean_luminance(truth), 0.01);
+  EXPECT_NEAR(test::mean_luminance(seen) / test::mean_luminance(truth), 1, 0.003);
+  int wrong = 0;
+  const auto &depth = seen.layer("depth")->values, &expected = truth.layer("depth")->values;
+  for (std::size_t i = 0; i < depth.size(); ++i) wrong += std::abs(depth[i] - expected[i]) > 0.01f;
+  EXPECT_LE(wrong, 4) << "rays that graze an edge";
+  // Picked by their hierarchy, whose boxes lie along the walls as well.
+  RenderSettings picked = reference_at(10);
+  picked.sampling.estimator = Estimator::ris;
+  const double mean = test::mean_luminance(render(moving, over, picked, 64, 64, 200));
+  EXPECT_NEAR(mean / test::mean_luminance(truth), 1, 0.01);
+}
+
+// They are sorted by the squares of a map of the scene, which would be one square if it went on to
+// the horizon.
+TEST(Vehicles, AreSortedTheSameWithTheGroundAroundTheScene) {
+  const auto picture = [](bool horizon) {
+    scene::Traffic traffic = one_kind();
+    for (int i = 0; i < 60; ++i) {
+      const float x = float(i * 37 % 60) * 1.9f - 56, z = float(i * 23 % 60) * 1.9f - 56;
+      add_trip(traffic, {knot({x, 0, z}, 0, {0, 0, 0}), knot({x, 0, z}, 90, {0, 0, 0})});
+    }
+    SceneBuilder builder;
+    builder.ground(60);
+    if (horizon) test::add_horizon(builder.scene(), 60, 0, 200, 30'000);
+    scene::SceneLights lights;
+    lights.traffic = std::move(traffic);
+    RenderSettings settings = reference_at(10);
+    settings.sampling.estimator = Estimator::ris;
+    settings.sampling.candidates = 4;
+    return render(scene::make_render_scene(builder.scene(), std::move(lights)), above, settings, 48,
+                  48, 1);
+  };
+  const measure::Image with = picture(true), without = picture(false);
+  EXPECT_GT(test::mean_luminance(without), 0.01);
+  EXPECT_EQ(relative_difference(with, without), 0);
+}
+
 TEST(Vehicles, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
   scene::Traffic traffic = one_kind();
   // The vehicle stands and turns from 10 degrees right of east to 10 degrees left of it, so at half

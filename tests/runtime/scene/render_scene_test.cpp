@@ -120,7 +120,10 @@ TEST(RenderScene, IsFramedWithoutTheHorizon) {
   scene.nodes.push_back({"horizon", "horizon", 1, false, {SceneInstance{}}});
   const scene::RenderScene with = scene::make_render_scene(scene, {});
   EXPECT_NEAR(with.bounds.upper.x, 50, 0.01);
-  EXPECT_NEAR(with.root_box.upper.x, 30000, 1);
+  EXPECT_NEAR(with.root_box.upper.x, 50, 0.01);
+  EXPECT_EQ(with.horizon.lower, glm::vec2(with.bounds.lower.x, with.bounds.lower.z));
+  EXPECT_NEAR(with.horizon.upper.x, 50, 0.01) << "the rectangle without any of it";
+  EXPECT_NEAR(with.horizon.top, 0, 0.1);
   EXPECT_TRUE(scene::trace_ray(with, {1000, 5, 10}, {0, -1, 0}, 1000, MASK_VISIBLE));
   EXPECT_FALSE(scene::trace_ray(with, {1000, 5, 10}, {0, -1, 0}, 1000, MASK_SHADOW));
   EXPECT_TRUE(scene::trace_ray(with, {10, 5, 10}, {0, -1, 0}, 1000, MASK_SHADOW));

@@ -1,0 +1,174 @@
+#include "runtime/scene/insert_leaves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "runtime/scene/bvh.h"
+#include "runtime/scene/quantised_nodes.h"
+
+namespace nightcity::scene {
+namespace {
+
+constexpr std::uint32_t first_leaf = BVH_LEAF | BVH_INSTANCE;
+
+std::vector<Box> scatter_boxes(std::size_t count, float size, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
+  std::vector<Box> boxes(count);
+  for (Box& box : boxes) {
+    const float z = uniform(-200, 200), y = uniform(0, 10), x = uniform(-200, 200);
+    box.grow({x, y, z});
+    box.grow({x + size, y + size, z + size});
+  }
+  return boxes;
+}
+
+Box find_box(const gpu::BvhNode& node, int child) {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float step = std::ldexp(1.0f, int((node.exponents >> (8 * axis)) & 255u) - 127);
+    box.lower[axis] = node.origin[axis] + float((node.lower[axis] >> (8 * child)) & 255u) * step;
+    box.upper[axis] = node.origin[axis] + float((node.upper[axis] >> (8 * child)) & 255u) * step;
+  }
+  return box;
+}
+
+bool holds(const Box& outer, const Box& inner) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(outer.lower[axis] < inner.lower[axis] && outer.upper[axis] > inner.upper[axis]))
+      return false;
+  return true;
+}
+
+// What is known of a hierarchy by visiting all of it.
+struct Walk {
+  std::map<std::uint32_t, int> leaves;  // how often each is met
+  double area_m2 = 0;                   // half the surfaces of all children's boxes
+  std::uint32_t need = 0;               // entries that a ray may have to defer
+};
+
+// `bounds`: the boxes of all nodes above. `box_of`: of a leaf.
+template <class BoxOf>
+std::uint32_t walk(const LargeVector<gpu::BvhNode>& nodes, std::uint32_t number,
+                   std::vector<Box>& bounds, const BoxOf& box_of, Walk& result) {
+  if (number & BVH_LEAF) {
+    ++result.leaves[number];
+    for (const Box& bound : bounds) EXPECT_TRUE(holds(bound, box_of(number)));
+    return 0;
+  }
+  const gpu::BvhNode& node = nodes[number];
+  std::uint32_t children = 0, deepest = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (node.child[i] == BVH_EMPTY) continue;
+    ++children;
+    EXPECT_EQ((node.masks >> (8 * i)) & 255u, 255u);
+    bounds.push_back(find_box(node, i));
+    result.area_m2 += double(bounds.back().half_area());
+    deepest = std::max(deepest, walk(nodes, node.child[i], bounds, box_of, result));
+    bounds.pop_back();
+  }
+  EXPECT_GE(children, 2u);
+  return children - 1 + deepest;
+}
+
+struct Inserted {
+  Bvh bvh;
+  std::vector<Box> boxes, added;
+  std::uint32_t put = 0, deferred = 0;
+
+  Walk visit() const {
+    std::vector<Box> bounds;
+    Walk result;
+    const auto box_of = [&](std::uint32_t leaf) {
+      if (leaf & BVH_INSTANCE) return added[leaf & BVH_LEAF_FIRST_MASK];
+      Box box;
+      const std::uint32_t first = leaf & BVH_LEAF_FIRST_MASK;
+      for (std::uint32_t i = 0; i <= (leaf & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT; ++i)
+        box.grow(boxes[bvh.order[first + i]]);
+      return box;
+    };
+    result.need = walk(bvh.nodes, bvh.root, bounds, box_of, result);
+    return result;
+  }
+};
+
+Inserted insert(std::size_t boxes, std::size_t added, std::uint32_t most_deferred, float size = 6) {
+  Inserted result;
+  result.boxes = scatter_boxes(boxes, 3, 1);
+  result.added = scatter_boxes(added, size, 2);
+  result.bvh = build_bvh(result.boxes, 4, 46);
+  LeafInserter inserter(result.bvh.nodes, result.bvh.root, most_deferred);
+  for (std::uint32_t i = 0; i < added; ++i)
+    if (inserter.insert(first_leaf | i, to_bounds(result.added[i]))) ++result.put;
+  result.deferred = inserter.deferred();
+  inserter.finish();
+  return result;
+}
+
+TEST(LeafInserter, PutsEachLeafOnceInsideAllBoxesAboveIt) {
+  const Inserted all = insert(3000, 500, 16);
+  EXPECT_EQ(all.put, 500u);
+  const Walk walked = all.visit();
+  std::size_t added = 0, before = 0;
+  for (const auto& [leaf, times] : walked.leaves) {
+    EXPECT_EQ(times, 1);
+    if (leaf & BVH_INSTANCE)
+      ++added;
+    else
+      before += ((leaf & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1;
+  }
+  EXPECT_EQ(added, 500u);
+  EXPECT_EQ(before, 3000u);
+}
+
+TEST(LeafInserter, TellsHowMuchMoreRaysDeferAndKeepsToItsBound) {
+  for (const std::uint32_t most : {0u, 1u, 2u, 3u, 5u, 16u}) {
+    const Inserted all = insert(400, 2000, most);
+    EXPECT_LE(all.deferred, most);
+    EXPECT_LE(all.visit().need, all.bvh.stack_need + all.deferred) << most;
+    std::size_t met = 0;
+    for (const auto& [leaf, times] : all.visit().leaves) met += (leaf & BVH_INSTANCE) != 0;
+    EXPECT_EQ(met, all.put) << "what was refused is not there";
+  }
+  EXPECT_EQ(insert(400, 2000, 0).put, 0u);
+  EXPECT_EQ(insert(400, 2000, 16).put, 2000u);
+}
+
+// A hierarchy of its own over the leaves, under one root with the other, has a larger surface: rays
+// then visit more boxes.
+TEST(LeafInserter, LeavesLessToVisitThanTwoHierarchies) {
+  const Inserted all = insert(3000, 500, 16);
+  Inserted first = insert(3000, 0, 16), second;
+  second.boxes = all.added;
+  second.bvh = build_bvh(second.boxes, 1, 46);
+  const double two_m2 = first.visit().area_m2 + second.visit().area_m2;
+  EXPECT_LT(all.visit().area_m2, 0.9 * two_m2);
+}
+
+TEST(LeafInserter, ChangesNothingWithoutLeaves) {
+  const Inserted none = insert(300, 0, 16);
+  const Bvh made = build_bvh(none.boxes, 4, 46);
+  ASSERT_EQ(none.bvh.nodes.size(), made.nodes.size());
+  EXPECT_EQ(std::memcmp(none.bvh.nodes.data(), made.nodes.data(),
+                        made.nodes.size() * sizeof made.nodes[0]),
+            0);
+  EXPECT_EQ(none.deferred, 0u);
+}
+
+// Leaves that are wider than all else, or lie far away, make the root's boxes grow.
+TEST(LeafInserter, TakesLeavesBeyondTheHierarchy) {
+  const Inserted wide = insert(300, 5, 16, 2000);
+  EXPECT_EQ(wide.put, 5u);
+  EXPECT_EQ(wide.visit().leaves.size(), insert(300, 0, 16).visit().leaves.size() + 5);
+}
+
+}  // namespace
+}  // namespace nightcity::scene
