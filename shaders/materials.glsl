@@ -34,6 +34,11 @@ vec3 emission_of(uint material) {
   return SCENE.materials.at[material].emission;
 }
 
+// Returns whether a surface is the pane of a window, which panes.glsl shows.
+bool is_pane(uint material) {
+  return !is_colour(material) && SCENE.materials.at[material].texture == PANE;
+}
+
 // Returns the texel's index along one side of `size` texels.
 uint wrapped(int at, int size, uint wrap) {
   if (wrap == WRAP_CLAMP) return uint(clamp(at, 0, size - 1));

@@ -8,10 +8,12 @@
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
+#include "shaders/surface_hit.glsl"
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/sky.glsl"
+#include "shaders/panes.glsl"
 #include "shaders/accumulation.glsl"
 #include "shaders/layers.glsl"
 #include "shaders/all_lights.glsl"
@@ -33,7 +35,7 @@ void main() {
   if (surface.depth > 0.0) passed = transmittance(surface.position, FRAME.camera.position);
   if (chunk == 0u) {
     if (surface.depth > 0.0) airlight = sky_airlight(camera_direction(pixel), passed);
-    layers.emitted = surface.depth > 0.0 ? emitted(surface) : seen_sky(pixel);
+    layers.emitted = surface.depth > 0.0 ? seen_emission(surface) : seen_sky(pixel);
     if (surface.depth > 0.0) {
       seed_random(pixel, STREAM_SKY);
       layers.sky = reflected_sky_and_moon(receiver_of(surface));

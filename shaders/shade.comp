@@ -11,6 +11,7 @@
 #include "shaders/light_sampling.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/sky.glsl"
+#include "shaders/panes.glsl"
 #include "shaders/reservoir.glsl"
 #include "shaders/half_rate.glsl"
 #include "shaders/resampling.glsl"
@@ -48,7 +49,7 @@ void main() {
   LightLayers layers = NO_LAYERS;
   vec3 radiance;
   if (surface.depth > 0.0) {
-    radiance = layers.emitted = emitted(surface);
+    radiance = layers.emitted = seen_emission(surface);
     const Receiver receiver = receiver_of(surface);
     if (SKY_MODE != SKY_DARK) {
       seed_random(pixel, STREAM_SKY);

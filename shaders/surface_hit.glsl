@@ -25,7 +25,7 @@ uint material_at(uint material, uint triangle, vec3 a, vec3 b, vec3 c, vec3 n, v
                  float footprint) {
   if (HAS_TEXTURES == 0u) return material;
   const uint number = SCENE.materials.at[material].texture;
-  if (number == 0u) return material;
+  if (number == 0u || number == PANE) return material;
   const TextureCorners corners = SCENE.texture_corners.at[triangle];
   const float area2 = dot(n, n);
   const float along_b = dot(cross(local - a, c - a), n) / area2,

@@ -113,6 +113,12 @@ const std::vector<Variant>& list_variants() {
       {"windows-facade", "[windows] group = \"facade\"", "single windows: one emitter a wall", 0,
        [](const Recipe& r) { return can_group<lights::WindowGrouping::facade>(r); },
        [](Recipe& r) { r.windows.group = lights::WindowGrouping::facade; }},
+      {"even-windows", "[windows] panes = false", "frames and rooms of windows, what glass mirrors",
+       0,
+       [](const Recipe& r) {
+         return r.windows.lit && r.windows.panes && r.windows.group == lights::WindowGrouping::none;
+       },
+       [](Recipe& r) { r.windows.panes = false; }},
       {"no-map-lights", "[map_lights] lit = false", "signs, floodlights, petrol stations", 0,
        [](const Recipe& r) { return has_map(r) && r.map_lights.lit; },
        [](Recipe& r) { r.map_lights.lit = false; }},

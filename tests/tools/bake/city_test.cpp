@@ -263,6 +263,20 @@ TEST(LampStage, NotesOfLuminaireFilesReachTheReport) {
   EXPECT_EQ(std::count_if(lamps.set.notes.begin(), lamps.set.notes.end(), is_note), 1);
 }
 
+TEST(WindowConsumer, SingleWindowsHavePanesUnlessTheyAreToBeEven) {
+  const auto name_of = [](bool panes, lights::WindowGrouping group) {
+    WindowStageOptions options;
+    options.panes = panes;
+    options.group = group;
+    const std::filesystem::path scratch = std::filesystem::temp_directory_path() / "window_names";
+    return std::string(WindowConsumer({}, options, scratch).material_name());
+  };
+  EXPECT_EQ(name_of(true, lights::WindowGrouping::none), window_pane_material);
+  EXPECT_EQ(name_of(false, lights::WindowGrouping::none), even_window_material);
+  EXPECT_EQ(name_of(true, lights::WindowGrouping::storey), even_window_material);
+  EXPECT_EQ(name_of(true, lights::WindowGrouping::facade), even_window_material);
+}
+
 TEST(WindowConsumer, EveryPieceOfALargeBuildingGetsWindows) {
   const TempFolder folder;
   City city(two_files(folder), folder / "scratch");

@@ -235,6 +235,10 @@ Table make_window_table(bake::WindowStageOptions& windows) {
                "those of a storey or of a whole wall, within 20 m, become one emitter with the sum "
                "of their light, spread evenly, and the hours of one of them, drawn by its share of "
                "the light. What is lost: `nightbake price` (docs/price.md)."),
+           flag_key("panes", windows.panes,
+                    "Whether cameras see frames, curtains and rooms in lit windows, and what the "
+                    "glass mirrors. Each window stays one light, of which it has the luminance in "
+                    "the mean. false, or with windows taken together: even rectangles."),
            integer_key("max_per_building", windows.max_per_building, 1, 100'000'000,
                        "A limit: a building that would get more windows gets none, and is counted "
                        "in the report.")}};

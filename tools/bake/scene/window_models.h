@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/georeference.h"
+#include "formats/material_names.h"
 #include "formats/scene_writer.h"
 #include "tools/cell_file.h"
 #include "tools/lights/windows.h"
@@ -17,7 +18,7 @@ namespace nightcity::bake {
 struct RectangleNames {
   const char* meshes = "windows";
   const char* kind = "window";
-  const char* material = "lit window";
+  const char* material = window_pane_material;
 };
 
 /// Gathers windows and writes them as nodes of kind "window" that cast no shadow, because their

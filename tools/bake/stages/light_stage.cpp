@@ -69,7 +69,7 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   add_sign_bodies(outputs.scene, others.bodies, georeference,
                   static_cast<std::uint32_t>(BakeMaterial::furniture));
   if (windows) {
-    WindowModels models(outputs.scratch, batch_m);
+    WindowModels models(outputs.scratch, batch_m, {.material = windows->material_name()});
     result.report.windows = windows->finish(
         city, [&](const lights::LitRectangle& window) { write_rectangle(window, models); });
     models.write(outputs.scene, georeference);

@@ -19,7 +19,9 @@ lights::WindowOptions to_window_options(lights::UseAt use_at, const WindowStageO
 
 WindowConsumer::WindowConsumer(lights::UseAt use_at, const WindowStageOptions& options,
                                const std::filesystem::path& scratch)
-    : layout_(to_window_options(std::move(use_at), options), scratch), grouping_(options.group) {}
+    : layout_(to_window_options(std::move(use_at), options), scratch),
+      grouping_(options.group),
+      panes_(options.panes) {}
 
 CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};

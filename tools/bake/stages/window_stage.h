@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "formats/material_names.h"
 #include "tools/bake/city/city.h"
 #include "tools/bake/city/city_consumer.h"
 #include "tools/bake/stages/window_options.h"
@@ -28,9 +29,16 @@ class WindowConsumer final : public CityConsumer {
   /// for it, in the order of the buildings; call once, when the city's ground has been built.
   lights::WindowReport finish(const City& city, const lights::WindowLayout::Sink& sink);
 
+  /// Returns the name of the material that windows are of.
+  const char* material_name() const {
+    return panes_ && grouping_ == lights::WindowGrouping::none ? window_pane_material
+                                                               : even_window_material;
+  }
+
  private:
   lights::WindowLayout layout_;
   lights::WindowGrouping grouping_;
+  bool panes_;
 };
 
 }  // namespace nightcity::bake
