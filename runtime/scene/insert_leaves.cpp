@@ -13,6 +13,10 @@ namespace {
 
 using hierarchy::Bounds;
 
+// A search looks at so many nodes at most: usually some tens. Where a thousand boxes lie in the same
+// place, it would look at all of them.
+constexpr std::size_t most_visits = 512;
+
 float find_joint_area(Bounds a, const Bounds& b) {
   a.grow(b);
   return a.half_area();
@@ -73,7 +77,9 @@ LeafInserter::Place LeafInserter::find_place(const Bounds& box) {
       comes_later);
   waiting.push(0);
   Place best{std::numeric_limits<float>::max(), none, -1};
-  while (!waiting.empty() && visits_[waiting.top()].cost_m2 < best.cost_m2) {
+  for (std::size_t visited = 0;
+       visited < most_visits && !waiting.empty() && visits_[waiting.top()].cost_m2 < best.cost_m2;
+       ++visited) {
     const std::size_t at = waiting.top();
     waiting.pop();
     const Visit visit = visits_[at];

@@ -25,7 +25,7 @@ class LeafInserter {
       : nodes_(nodes), root_(root), most_deferred_(most_deferred) {}
 
   /// Puts a leaf (gpu::BvhNode::child) with this box, which is in the frame of the nodes. Returns
-  /// false, and does nothing, where rays would have to defer too much wherever it lies.
+  /// false, and does nothing, where rays would have to defer too much wherever it was looked for.
   bool insert(std::uint32_t leaf, const hierarchy::Bounds& box);
 
   /// Returns how many more entries than before a ray may have to defer.

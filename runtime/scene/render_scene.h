@@ -88,9 +88,9 @@ struct RenderScene {
   glm::dvec3 origin{0};
   LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
-  gpu::Horizon horizon{BVH_EMPTY, 0, glm::vec2(1), glm::vec2(0)};
+  gpu::Horizon horizon{BVH_EMPTY, 0, glm::vec2(1), glm::vec2(0)};  // not in the TLAS
   glm::vec2 boxes_along{1, 0};      // gpu::SceneBuffers::boxes_along
-  float boxes_margin_m = 0;
+  float boxes_margin_m = 0;         // gpu::SceneBuffers::boxes_margin_m
   TriangleList triangles;
   LargeVector<std::uint32_t> triangle_order;  // which triangle is at each position of the leaves
   std::vector<Mesh> meshes{};                 // none is empty

@@ -19,6 +19,8 @@ namespace {
 // they defer little are put below static triangles: those of up to some 100,000 triangles.
 constexpr std::uint32_t most_inside = 24;
 
+// More instances than a city has trees would take seconds.
+constexpr std::size_t most_inserted = 1 << 18;
 // With room for fewer entries, leaves would lie so high up that they cost more than a hierarchy of
 // their own.
 constexpr std::uint32_t least_room = 12;
@@ -75,7 +77,8 @@ std::uint32_t insert_instances(RenderScene& out, std::vector<TopPart>& parts) {
   }
   // One entry is for the other child of the root above the static scene and the vehicles.
   const std::uint32_t taken = 1 + into->stack_need + inside, least = needed_stack(others.size(), 1);
-  if (inserted.empty() || taken + least + least_room > BVH_STACK) return tlas_stack;
+  if (inserted.empty() || inserted.size() > most_inserted || taken + least + least_room > BVH_STACK)
+    return tlas_stack;
   LeafInserter inserter(out.nodes, into->root, BVH_STACK - taken - least);
   Box box = into->box;
   const std::size_t before = out.instances.size();

@@ -163,6 +163,26 @@ TEST(LeafInserter, ChangesNothingWithoutLeaves) {
   EXPECT_EQ(none.deferred, 0u);
 }
 
+// Boxes of all of them are alike, and a search must not look at each.
+TEST(LeafInserter, TakesManyLeavesThatLieInOnePlace) {
+  Inserted all;
+  all.boxes = scatter_boxes(300, 3, 1);
+  Box whole;
+  whole.grow(glm::vec3(-300, -10, -300));
+  whole.grow(glm::vec3(300, 30, 300));
+  all.added.assign(50'000, whole);
+  all.bvh = build_bvh(all.boxes, 4, 46);
+  LeafInserter inserter(all.bvh.nodes, all.bvh.root, 30);
+  for (std::uint32_t i = 0; i < all.added.size(); ++i)
+    if (inserter.insert(first_leaf | i, to_bounds(whole))) ++all.put;
+  EXPECT_GT(all.put, 100u);
+  EXPECT_LE(inserter.deferred(), 30u);
+  inserter.finish();
+  std::size_t met = 0;
+  for (const auto& [leaf, times] : all.visit().leaves) met += (leaf & BVH_INSTANCE) != 0;
+  EXPECT_EQ(met, all.put);
+}
+
 // Leaves that are wider than all else, or lie far away, make the root's boxes grow.
 TEST(LeafInserter, TakesLeavesBeyondTheHierarchy) {
   const Inserted wide = insert(300, 5, 16, 2000);
