@@ -62,18 +62,13 @@ float vehicle_share(bool any_static) {
   return all.flux_lm > 0.0 ? FRAME.vehicle_share : 0.0;
 }
 
-// The square of a distance below which vehicles count little more, m^2. Headlamps light what lies far
-// ahead, and hardly what is beside them: where only distances counted, a beam that comes from far
-// away was seldom drawn, and then counted for much.
-const float BEAM_REACH2 = 400.0;
-
 // Returns an estimate of what a node's lights contribute here, whatever their directions. The place
 // is in the frame of the nodes' boxes.
 float importance(LightNode node, vec3 position) {
   if (node.lower.x > node.upper.x) return 0.0;
   const vec3 d = 0.5 * (node.lower + node.upper) - position;
   const vec3 extent = node.upper - node.lower;
-  return node.flux_lm / (max(dot(d, d), 0.25 * dot(extent, extent)) + BEAM_REACH2);
+  return node.flux_lm / max(dot(d, d), 0.25 * dot(extent, extent) + 1.0);
 }
 
 // Returns an estimate of what all vehicles contribute at a place, as the cells' strengths are one
