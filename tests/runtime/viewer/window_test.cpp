@@ -1,6 +1,8 @@
 // Runs the program in a virtual display; xdotool moves mouse and keys.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -178,14 +180,22 @@ TEST_F(ViewerWindow, TheRunningClockShowsTheSameLightWithReuseAndWithout) {
           "--camera camera.json --time 20:00 --play --time-step 0.0333 --ev 3 --tone linear "
           "--no-jitter --bounces 0 --quit-after 24\"\n"
           "for SEED in 0 1 2; do $W --seed $SEED --screenshot default$SEED.png || exit 1; done\n"
-          "$W --estimator ris --screenshot truth.png\n"),
+          "for SEED in 0 1 2; do $W --seed $SEED --estimator ris --screenshot truth$SEED.png || "
+          "exit "
+          "1; done\n"),
       0)
       << text("err.txt");
   // Moments that share samples vary by 1 % from seed to seed.
   double ours = 0;
   for (const char* picture : {"default0.png", "default1.png", "default2.png"})
     ours += mean_light(measure::read_png(folder / picture)) / 3;
-  const double truth = mean_light(measure::read_png(folder / "truth.png"));
+  // One run in ten ends on darker moments, by how the loop is timed. Of three, the middle one counts.
+  std::array<double, 3> truths;
+  for (std::size_t seed = 0; seed < 3; ++seed)
+    truths[seed] =
+        mean_light(measure::read_png(folder / ("truth" + std::to_string(seed) + ".png")));
+  std::sort(truths.begin(), truths.end());
+  const double truth = truths[1];
   std::printf("  mean light %.4f, without reuse %.4f: %+.2f %%\n", ours, truth,
               100 * (ours / truth - 1));
   EXPECT_GT(truth, 0.02);
