@@ -1,5 +1,5 @@
-// What the camera sees of a lit window: a frame, curtains or a blind, and the room behind them, or
-// in the dark what the glass mirrors. The window stays one light that shines evenly. What is seen
+// The camera sees a frame in a lit window, curtains or a blind, and the room behind them, and in the
+// dark it sees what the glass mirrors. The window stays one light that shines evenly. What is seen
 // has the light's luminance in its mean over the window, from wherever it is seen.
 //   The room is a box of usual size whose walls have tones (interior mapping: van Dongen, Interior
 // mapping, CGI 2008). Every part is a product of a function along the window and one upwards, so
@@ -47,7 +47,8 @@ float integrate_field(PaneSide side, vec2 part) {
 // Returns the integral over a part of a side; the frame counts as nothing.
 float integrate_side(PaneSide side, vec2 part) {
   const float inner_m = side.size_m - 2.0 * FRAME_M;
-  if (!(inner_m > 0.0)) return max(part.y - part.x, 0.0);  // too small for a frame
+  // A frame that took more than half would leave a slit with the light of all of it.
+  if (inner_m < 0.5 * side.size_m) return max(part.y - part.x, 0.0);
   const float field_m = (inner_m - BAR_M * (side.fields - 1.0)) / side.fields;
   float sum = 0.0;
   for (float i = 0.0; i < side.fields; i += 1.0) {
@@ -63,7 +64,7 @@ float integrate_side(PaneSide side, vec2 part) {
 // Returns the integral over a pixel's part of a side, per metre. What would lie beyond an end is
 // folded back, which keeps the mean over all pixels.
 float mean_at(PaneSide side, float at_m, float footprint_m) {
-  const float width_m = clamp(footprint_m, 1e-3, side.size_m);
+  const float width_m = min(max(footprint_m, 1e-3), side.size_m);
   const float low = at_m - 0.5 * width_m, high = at_m + 0.5 * width_m, end = side.size_m;
   return (integrate_side(side, vec2(max(low, 0.0), min(high, end))) +
           integrate_side(side, vec2(0.0, -low)) +
@@ -110,8 +111,8 @@ float look_at_pane(Light light, vec3 place, vec3 to, float footprint_m, bool lit
   upright.before = FLOOR_TONE;
   upright.behind = CEILING_TONE;
   across.open_m = upright.open_m = vec2(-1e9, 1e9);
-  // Of four windows one shows its room, one has curtains to both sides, one a blind, and one cloth
-  // all over.
+  // One window in four shows its room, one has curtains to both sides, one has a blind, and one is
+  // covered by cloth.
   const uint draw = pcg4d(uvec4(light.id, 0u, 0u, 0u)).x;
   const float chance = float(draw >> 16u) / 65536.0;
   switch (draw & 3u) {

@@ -101,9 +101,8 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
            bool before, out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
   uint node = is_other_geometry(before) ? FRAME.previous_root : SCENE.root;
-  const bool sees_horizon = !any && (mask & MASK_SHADOW) == 0u;
-  if (node == BVH_EMPTY && !sees_horizon) return false;
-  bool asks_horizon = sees_horizon;
+  bool asks_horizon = !any && (mask & MASK_VISIBLE) != 0u;  // which casts no shadow
+  if (node == BVH_EMPTY && !asks_horizon) return false;
   uint stack[BVH_STACK];
 #ifdef SKIPS_WHAT_IS_HIDDEN
   float stack_t[BVH_STACK];  // at which distances the ray enters them

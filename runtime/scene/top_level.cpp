@@ -30,9 +30,9 @@ bool may_be_inserted(const TopPart& part) {
          part.stack_need <= most_inside;
 }
 
-std::uint32_t add_instance(RenderScene& out, const gpu::Instance& instance) {
-  out.instances.push_back(instance);
-  return static_cast<std::uint32_t>(BVH_LEAF | BVH_INSTANCE | (out.instances.size() - 1));
+// Returns the leaf of the instance that will be appended next.
+std::uint32_t make_next_leaf(const RenderScene& out) {
+  return static_cast<std::uint32_t>(BVH_LEAF | BVH_INSTANCE | out.instances.size());
 }
 
 // Builds a TLAS in which a ray may have to defer `stack` entries, appends the instances in its
@@ -47,12 +47,15 @@ std::uint32_t add_tlas(RenderScene& out, const std::vector<TopPart>& parts, std:
   }
   const Bvh top = build_bvh(boxes, 1, stack, masks, threads);
   const auto base = static_cast<std::uint32_t>(out.nodes.size());
-  // What a leaf stands for takes its place.
+  // A leaf stands for a part, whose root or instance takes its place.
   const auto find_child = [&](std::uint32_t child) {
     if (child == BVH_EMPTY) return child;
     if (!(child & BVH_LEAF)) return child + base;
     const TopPart& part = parts[top.order[child & BVH_LEAF_FIRST_MASK]];
-    return part.is_static ? part.root : add_instance(out, part.instance);
+    if (part.is_static) return part.root;
+    const std::uint32_t leaf = make_next_leaf(out);
+    out.instances.push_back(part.instance);
+    return leaf;
   };
   for (gpu::BvhNode node : top.nodes) {
     for (std::uint32_t& child : node.child) child = find_child(child);
@@ -83,8 +86,7 @@ std::uint32_t insert_instances(RenderScene& out, std::vector<TopPart>& parts) {
   Box box = into->box;
   const std::size_t before = out.instances.size();
   for (const TopPart& part : inserted) {
-    const auto leaf = static_cast<std::uint32_t>(BVH_LEAF | BVH_INSTANCE | out.instances.size());
-    if (!inserter.insert(leaf, to_bounds(part.box))) {
+    if (!inserter.insert(make_next_leaf(out), to_bounds(part.box))) {
       others.push_back(part);
       continue;
     }

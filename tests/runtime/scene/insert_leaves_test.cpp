@@ -48,7 +48,7 @@ bool holds(const Box& outer, const Box& inner) {
   return true;
 }
 
-// What is known of a hierarchy by visiting all of it.
+// A visit of a whole hierarchy tells this.
 struct Walk {
   std::map<std::uint32_t, int> leaves;  // how often each is met
   double area_m2 = 0;                   // half the surfaces of all children's boxes
