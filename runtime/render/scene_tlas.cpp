@@ -2,9 +2,9 @@
 
 #include <cstring>
 #include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
 
 #include "formats/error.h"
+#include "runtime/scene/top_level.h"
 
 namespace nightcity::render {
 namespace {
@@ -13,11 +13,7 @@ static_assert(sizeof(VkAccelerationStructureInstanceKHR) == 4 * TLAS_INSTANCE_WO
 
 VkAccelerationStructureInstanceKHR make_record(const gpu::Instance& instance, std::uint32_t index,
                                                std::uint64_t blas) {
-  glm::dmat4 to_object(1.0);
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column)
-      to_object[column][row] = double(instance.to_object[row][column]);
-  const glm::dmat4 to_model = glm::inverse(to_object);
+  const glm::dmat4 to_model = scene::find_to_scene(instance);
   VkAccelerationStructureInstanceKHR record{};
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column)

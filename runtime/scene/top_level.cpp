@@ -104,6 +104,8 @@ std::uint32_t insert_instances(RenderScene& out, std::vector<TopPart>& parts) {
   return std::min(tlas_stack, left);
 }
 
+}  // namespace
+
 glm::dmat4 find_to_scene(const gpu::Instance& instance) {
   glm::dmat4 to_object(1);
   for (int row = 0; row < 3; ++row)
@@ -111,8 +113,6 @@ glm::dmat4 find_to_scene(const gpu::Instance& instance) {
       to_object[column][row] = double(instance.to_object[row][column]);
   return glm::inverse(to_object);
 }
-
-}  // namespace
 
 void add_top_level(RenderScene& out, std::vector<TopPart> parts, unsigned threads) {
   for (const TopPart& part : parts) out.root_box.grow(part.box);

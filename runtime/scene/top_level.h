@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <vector>
 
 #include "runtime/scene/render_scene.h"
@@ -18,6 +19,9 @@ struct TopPart {
   // their instance's frame.
   bool is_static = false;
 };
+
+/// Returns the matrix from the frame of an instance's mesh to that of the scene.
+glm::dmat4 find_to_scene(const gpu::Instance& instance);
 
 /// Builds the scene's TLAS over parts of it, and appends their instances. Instances that cast
 /// shadows are put into the hierarchy of the static triangles that do, as far as the stack of rays

@@ -198,6 +198,14 @@ inline void add_horizon(Scene& scene, float half, float rim, float drop, float r
   scene.meshes.push_back({"horizon", {ring}});
 }
 
+/// Returns a town at an angle, with trees among its houses and the ground around it.
+inline SceneBuilder town_with_surroundings(float angle_deg) {
+  SceneBuilder builder = turned(random_town(40, 60, 7), angle_deg);
+  add_trees(builder.scene(), 40, 60, 5);
+  add_horizon(builder.scene(), 60, 9, 200, 4000, angle_deg);
+  return builder;
+}
+
 inline std::vector<Light> random_lamps(int count, float half, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](float a, float b) {

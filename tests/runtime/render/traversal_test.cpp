@@ -66,10 +66,7 @@ TEST(Traversal, PrimaryDepthsOfATownAtAnAngleMatchBruteForce) {
 // hierarchy of its own: rays from within and from outside, level, from above and from below its rim.
 TEST(Traversal, DepthsOfTreesAmongHousesAndOfTheHorizonMatchBruteForce) {
   for (const float angle : {0.0f, 33.0f}) {
-    SceneBuilder builder = turned(random_town(40, 60, 7), angle);
-    add_trees(builder.scene(), 40, 60, 5);
-    add_horizon(builder.scene(), 60, 9, 200, 4000, angle);
-    const scene::RenderScene scene = builder.with({});
+    const scene::RenderScene scene = town_with_surroundings(angle).with({});
     EXPECT_EQ(scene.boxes_along == glm::vec2(1, 0), angle == 0);
     for (const auto& [from, to] : {std::pair(glm::vec3(-70, 35, 80), glm::vec3(0, 5, 0)),
                                    {{2, 1.7f, 1}, {60, 3, 20}},

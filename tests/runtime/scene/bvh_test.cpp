@@ -12,23 +12,10 @@
 #include "runtime/scene/bvh_node.h"
 #include "runtime/scene/quantised_nodes.h"
 #include "runtime/scene/triangle_pieces.h"
+#include "tests/runtime/scene/node_boxes.h"
 
 namespace nightcity::scene {
 namespace {
-
-std::vector<Box> random_boxes(std::size_t count, float spread, unsigned seed) {
-  std::mt19937 random(seed);
-  const auto uniform = [&](float a, float b) {
-    return a + (b - a) * float(random() >> 8) / 16777216.0f;
-  };
-  std::vector<Box> boxes(count);
-  for (Box& box : boxes) {
-    const glm::vec3 p(uniform(-spread, spread), uniform(0, 30), uniform(-spread, spread));
-    box.grow(p);
-    box.grow(p + glm::vec3(uniform(0, 5), uniform(0, 5), uniform(0, 5)));
-  }
-  return boxes;
-}
 
 // Every leaf's boxes lie inside the dequantised box that its parent holds for it, and each
 // primitive is in exactly one leaf.
@@ -68,13 +55,7 @@ void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_
     for (std::size_t i = 0; i < 4; ++i) {
       if (node.child[i] == BVH_EMPTY) continue;
       ++children;
-      Box bound;
-      for (int axis = 0; axis < 3; ++axis) {
-        const float step = std::ldexp(1.0f, int((node.exponents >> (8 * axis)) & 255u) - 127);
-        bound.lower[axis] = node.origin[axis] + float((node.lower[axis] >> (8 * i)) & 255u) * step;
-        bound.upper[axis] = node.origin[axis] + float((node.upper[axis] >> (8 * i)) & 255u) * step;
-      }
-      pending.push_back({node.child[i], bound, visit.stack + 3});
+      pending.push_back({node.child[i], find_box(node, i), visit.stack + 3});
     }
     EXPECT_GE(children, 1u);
     deepest = std::max(deepest, visit.stack + children - 1);
@@ -91,16 +72,7 @@ double nodes_a_ray_enters(const Bvh& bvh) {
     const gpu::BvhNode& node = bvh.nodes[n];
     Box box;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (node.child[i] == BVH_EMPTY) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        const float step = std::ldexp(1.0f, int((node.exponents >> (8 * axis)) & 255u) - 127);
-        box.lower[axis] =
-            std::min(box.lower[axis],
-                     node.origin[axis] + float((node.lower[axis] >> (8 * i)) & 255u) * step);
-        box.upper[axis] =
-            std::max(box.upper[axis],
-                     node.origin[axis] + float((node.upper[axis] >> (8 * i)) & 255u) * step);
-      }
+      if (node.child[i] != BVH_EMPTY) box.grow(find_box(node, i));
     }
     sum += double(box.half_area());
     if (n == bvh.root) root = double(box.half_area());

@@ -6,40 +6,16 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <random>
 #include <vector>
 
 #include "runtime/scene/bvh.h"
 #include "runtime/scene/quantised_nodes.h"
+#include "tests/runtime/scene/node_boxes.h"
 
 namespace nightcity::scene {
 namespace {
 
 constexpr std::uint32_t first_leaf = BVH_LEAF | BVH_INSTANCE;
-
-std::vector<Box> scatter_boxes(std::size_t count, float size, unsigned seed) {
-  std::mt19937 random(seed);
-  const auto uniform = [&](float a, float b) {
-    return a + (b - a) * float(random() >> 8) / 16777216.0f;
-  };
-  std::vector<Box> boxes(count);
-  for (Box& box : boxes) {
-    const float z = uniform(-200, 200), y = uniform(0, 10), x = uniform(-200, 200);
-    box.grow({x, y, z});
-    box.grow({x + size, y + size, z + size});
-  }
-  return boxes;
-}
-
-Box find_box(const gpu::BvhNode& node, int child) {
-  Box box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float step = std::ldexp(1.0f, int((node.exponents >> (8 * axis)) & 255u) - 127);
-    box.lower[axis] = node.origin[axis] + float((node.lower[axis] >> (8 * child)) & 255u) * step;
-    box.upper[axis] = node.origin[axis] + float((node.upper[axis] >> (8 * child)) & 255u) * step;
-  }
-  return box;
-}
 
 bool holds(const Box& outer, const Box& inner) {
   for (int axis = 0; axis < 3; ++axis)
@@ -70,7 +46,7 @@ std::uint32_t walk(const LargeVector<gpu::BvhNode>& nodes, std::uint32_t number,
     if (node.child[i] == BVH_EMPTY) continue;
     ++children;
     EXPECT_EQ((node.masks >> (8 * i)) & 255u, 255u);
-    bounds.push_back(find_box(node, i));
+    bounds.push_back(find_box(node, std::size_t(i)));
     result.area_m2 += double(bounds.back().half_area());
     deepest = std::max(deepest, walk(nodes, node.child[i], bounds, box_of, result));
     bounds.pop_back();
@@ -102,8 +78,8 @@ struct Inserted {
 
 Inserted insert(std::size_t boxes, std::size_t added, std::uint32_t most_deferred, float size = 6) {
   Inserted result;
-  result.boxes = scatter_boxes(boxes, 3, 1);
-  result.added = scatter_boxes(added, size, 2);
+  result.boxes = random_boxes(boxes, 200, 1, 3);
+  result.added = random_boxes(added, 200, 2, size);
   result.bvh = build_bvh(result.boxes, 4, 46);
   LeafInserter inserter(result.bvh.nodes, result.bvh.root, most_deferred);
   for (std::uint32_t i = 0; i < added; ++i)
@@ -166,7 +142,7 @@ TEST(LeafInserter, ChangesNothingWithoutLeaves) {
 // Boxes of all of them are alike, and a search must not look at each.
 TEST(LeafInserter, TakesManyLeavesThatLieInOnePlace) {
   Inserted all;
-  all.boxes = scatter_boxes(300, 3, 1);
+  all.boxes = random_boxes(300, 200, 1, 3);
   Box whole;
   whole.grow(glm::vec3(-300, -10, -300));
   whole.grow(glm::vec3(300, 30, 300));

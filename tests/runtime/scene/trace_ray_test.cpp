@@ -46,10 +46,7 @@ TEST(TraceRay, MeetsTheSameInATownAtAnAngle) {
 // Crowns are instances, whose leaves lie among those of the houses.
 TEST(TraceRay, MeetsTreesAmongHousesAndTheGroundAroundThem) {
   for (const float angle : {0.0f, 33.0f}) {
-    SceneBuilder builder = turned(random_town(60, 80, 3), angle);
-    add_trees(builder.scene(), 40, 60, 4);
-    add_horizon(builder.scene(), 80, 12, 100, 5000, angle);
-    const scene::RenderScene scene = builder.with({});
+    const scene::RenderScene scene = town_with_surroundings(angle).with({});
     EXPECT_EQ(scene.boxes_along == glm::vec2(1, 0), angle == 0);
     EXPECT_NE(scene.horizon.root, BVH_EMPTY);
     expect_hits_like_brute_force(scene);
