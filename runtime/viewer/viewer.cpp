@@ -106,8 +106,7 @@ class Viewer {
     const double elapsed_s = now_s_ - last_step_s_;
     last_step_s_ = now_s_;
     if (!workbench_.is_saving())  // lights have one time, which is that of the picture being saved
-      session_.run_clock(options_.time_step_s > 0 && !pictured ? 0 : elapsed_s,
-                         pictured ? options_.time_step_s : 0, now_s_);
+      run_clock(elapsed_s, pictured);
     // After news the panel is drawn a few times more: it settles within two frames.
     controller_.look_at_gamepad();
     if (window_.queue().held().any() || controller_.is_pad_moved())
@@ -123,6 +122,16 @@ class Viewer {
     if (pictured) adapt_exposure(elapsed_s);
     new_picture_ |= pictured;
     draw();
+  }
+
+  // A clock that moves on by steps counts pictures: how many drafts come before the first depends on
+  // how long shaders are being compiled.
+  void run_clock(double elapsed_s, bool pictured) {
+    const bool counts = pictured && !workbench_.picture()->is_draft();
+    if (options_.time_step_s > 0)
+      session_.run_clock(0, counts ? options_.time_step_s : 0, now_s_);
+    else
+      session_.run_clock(elapsed_s, 0, now_s_);
   }
 
   bool works() const { return workbench_.has_work(controller_.views(), now_s_); }
