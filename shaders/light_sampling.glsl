@@ -62,13 +62,17 @@ float vehicle_share(bool any_static) {
   return all.flux_lm > 0.0 ? FRAME.vehicle_share : 0.0;
 }
 
+// Within some 20 m, distance says little of what vehicles contribute: headlamps aim far, and those of
+// the nearest vehicle mostly elsewhere.
+const float VEHICLE_SOFTENING_M2 = 400.0;
+
 // Returns an estimate of what a node's lights contribute here, whatever their directions. The place
 // is in the frame of the nodes' boxes.
 float importance(LightNode node, vec3 position) {
   if (node.lower.x > node.upper.x) return 0.0;
   const vec3 d = 0.5 * (node.lower + node.upper) - position;
   const vec3 extent = node.upper - node.lower;
-  return node.flux_lm / max(dot(d, d), 0.25 * dot(extent, extent) + 1.0);
+  return node.flux_lm / (max(dot(d, d), 0.25 * dot(extent, extent)) + VEHICLE_SOFTENING_M2);
 }
 
 // Returns an estimate of what all vehicles contribute at a place, as the cells' strengths are one
