@@ -3,8 +3,10 @@
 #include <simdjson.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "formats/error.h"
+#include "tools/city/line_ends.h"
 #include "tools/city/text_encoding.h"
 #include "tools/cityjson/document_index.h"
 
@@ -12,7 +14,7 @@ namespace nightcity::cityjson {
 namespace {
 
 // Blocks become as large as this. The first is small, because a small file is to cost little.
-constexpr std::size_t block_bytes = std::size_t{1} << 20;
+constexpr std::size_t block_bytes = std::size_t{1} << 18;
 constexpr std::size_t first_block_bytes = std::size_t{1} << 15;
 // The first line of a CityJSONSeq holds no city object; one longer than this is a CityJSON.
 constexpr std::size_t max_first_line = std::size_t{64} << 20;
@@ -77,35 +79,34 @@ void DocumentText::hold(const city::Document& document) {
 
 std::optional<LineReader::Lines> LineReader::next() {
   if (at_end_) return {};
+  constexpr std::size_t padding = simdjson::SIMDJSON_PADDING;
   Lines lines;
-  lines.bytes = std::move(rest_);
-  rest_.clear();
   lines.first_line = line_;
-  std::size_t end = std::string::npos;  // behind the last line feed
-  while (end == std::string::npos) {
-    const std::size_t size = lines.bytes.size();
+  const char* held = rest_.data();
+  std::size_t size = rest_.size(), end = std::string_view::npos;  // the end of the last whole line
+  while (end == std::string_view::npos) {
     if (size > max_line_) refuse_long_part(name_, line_, "line", max_line_);
     block_ = std::clamp(2 * block_, first_block_bytes, block_bytes);
     const std::size_t wanted = std::max(block_, size);
-    lines.bytes.resize(size + wanted);
-    const std::size_t got = source_->read(lines.bytes.data() + size, wanted);
-    lines.bytes.resize(size + got);
-    if (got == 0) {
-      at_end_ = true;
-      end = lines.bytes.size();
-    } else if (const auto feed = std::string_view(lines.bytes).substr(size).rfind('\n');
-               feed != std::string_view::npos) {
-      end = size + feed + 1;
-    }
+    // Bytes that are read over need not be cleared first.
+    auto larger = std::make_unique_for_overwrite<char[]>(size + wanted + padding);
+    std::copy_n(held, size, larger.get());
+    lines.bytes = std::move(larger);
+    held = lines.bytes.get();
+    const std::size_t got = source_->read(lines.bytes.get() + size, wanted);
+    const std::size_t feed = std::string_view(held + size, got).rfind('\n');
+    if (feed != std::string_view::npos) end = size + feed + 1;
+    size += got;
+    if (got > 0) continue;
+    at_end_ = true;
+    end = size;
   }
-  rest_.assign(lines.bytes, end);
-  for (auto feed = lines.bytes.find('\n'); feed < end; feed = lines.bytes.find('\n', feed + 1))
-    ++line_;
-  lines.bytes.resize(end);
   lines.size = end;
-  lines.bytes.resize(end + simdjson::SIMDJSON_PADDING, ' ');
-  if (lines.first_line == 1 && std::string_view(lines.bytes).starts_with(byte_order_mark))
-    std::fill_n(lines.bytes.begin(), byte_order_mark.size(), ' ');
+  rest_.assign(held + end, size - end);
+  line_ += city::count_line_ends(lines.text());
+  std::fill_n(lines.bytes.get() + end, padding, ' ');
+  if (lines.first_line == 1 && lines.text().starts_with(byte_order_mark))
+    std::fill_n(lines.bytes.get(), byte_order_mark.size(), ' ');
   return lines;
 }
 

@@ -49,8 +49,9 @@ class LineReader {
 
   /// Whole lines, followed by `padding` bytes that belong to none.
   struct Lines {
-    std::string bytes;
+    std::unique_ptr<char[]> bytes;
     std::size_t size = 0;
+    std::string_view text() const { return {bytes.get(), size}; }
     std::size_t first_line = 1;  // in the file
   };
   /// Returns none at the end. Throws Error where the document cannot be read or a line is too long.

@@ -122,8 +122,9 @@ void GeometryReader::read_texture(const dom::element& rings, city::Polygon& poly
   city::lay_picture(*found, places, materials.textures, polygon, pixels_left_, skipped_);
 }
 
-bool GeometryReader::read_polygon(const dom::element& rings, const Beside& beside,
-                                  const Context& context, city::Polygon& polygon) {
+// Flattened: calls to simdjson take longer than what they do.
+[[gnu::flatten]] bool GeometryReader::read_polygon(const dom::element& rings, const Beside& beside,
+                                                   const Context& context, city::Polygon& polygon) {
   polygon.surface = context.surface;
   if (beside.semantics && !beside.semantics->is_null()) {
     const auto index = to_index(*beside.semantics);

@@ -47,7 +47,6 @@ const char* read_attributes(const dom::object& object, city::ObjectType type,
                             city::SkipCounter& skipped) {
   const auto attributes = find_object(object, "attributes");
   if (!attributes) return nullptr;
-  const auto day = today();
   const char* left_out = nullptr;
   std::size_t others = 0;
   for (const auto& [name, value] : *attributes) {
@@ -58,7 +57,7 @@ const char* read_attributes(const dom::object& object, city::ObjectType type,
     const std::string lower = to_lower(name);
     const bool says_when = city::may_say_when(type, lower);
     if (says_when && !left_out)
-      left_out = city::find_reason_to_leave_out(type, lower, to_list_text(value), day);
+      left_out = city::find_reason_to_leave_out(type, lower, to_list_text(value), today());
     if (city::NamedHeights::knows(lower) && field.empty()) {
       const Measure measure = to_measure(value);
       heights.take(lower, measure.value, measure.unit);

@@ -1,5 +1,7 @@
 #include "tools/cityjson/sequence_reader.h"
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -16,7 +18,7 @@ namespace {
 // bytes that simdjson may read.
 template <class Use>
 void for_each_line(const LineReader::Lines& lines, const Use& use) {
-  const std::string_view all(lines.bytes.data(), lines.size);
+  const std::string_view all = lines.text();
   std::size_t number = lines.first_line;
   for (std::size_t begin = 0; begin < all.size(); ++number) {
     const std::size_t end = std::min(all.find('\n', begin), all.size());
@@ -29,13 +31,13 @@ void for_each_line(const LineReader::Lines& lines, const Use& use) {
 
 // Takes the line that begins at a byte, and moves `at` behind it.
 LineReader::Lines take_line(LineReader::Lines& lines, std::size_t& at) {
-  const std::string_view all(lines.bytes.data(), lines.size);
+  const std::string_view all = lines.text();
   const std::size_t feed = all.find('\n', at), end = feed == all.npos ? all.size() : feed + 1;
   LineReader::Lines one;
   one.first_line = lines.first_line++;
   one.size = end - at;
-  one.bytes = all.substr(at, one.size);
-  one.bytes.resize(one.size + simdjson::SIMDJSON_PADDING, ' ');
+  one.bytes = std::make_unique<char[]>(one.size + simdjson::SIMDJSON_PADDING);
+  std::copy_n(all.data() + at, one.size, one.bytes.get());
   at = end;
   return one;
 }

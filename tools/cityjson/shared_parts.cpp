@@ -81,13 +81,18 @@ Transform read_transform(const dom::element& value, const Where& where) {
   throw Error(where(), "\"transform\" needs \"scale\" and \"translate\" of three numbers each");
 }
 
-std::vector<glm::dvec3> read_vertices(const dom::array& array, const Transform& transform) {
+// Flattened: calls to simdjson take longer than what they do.
+[[gnu::flatten]] std::vector<glm::dvec3> read_vertices(const dom::array& array,
+                                                       const Transform& transform) {
   std::vector<glm::dvec3> vertices;
   vertices.reserve(array.size());
   for (const dom::element& value : array) {
-    const auto stored = to_vector(value);
-    vertices.push_back(stored ? transform.apply(*stored)
-                              : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    glm::dvec3& vertex = vertices.emplace_back(std::numeric_limits<double>::quiet_NaN());
+    dom::array numbers;
+    if (value.get(numbers) != simdjson::SUCCESS || numbers.size() != 3) continue;
+    auto number = numbers.begin();
+    const auto x = to_number(*number), y = to_number(*++number), z = to_number(*++number);
+    if (x && y && z) vertex = transform.apply({*x, *y, *z});
   }
   return vertices;
 }
