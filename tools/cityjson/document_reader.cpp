@@ -10,6 +10,7 @@
 #include "tools/cityjson/document_text.h"
 #include "tools/cityjson/feature_reader.h"
 #include "tools/cityjson/object_groups.h"
+#include "tools/cityjson/part_parser.h"
 #include "tools/cityjson/sample.h"
 #include "tools/in_order.h"
 
@@ -18,49 +19,6 @@ namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{1} << 18;
 constexpr std::size_t vertex_block_bytes = std::size_t{1} << 20;
-
-// Parses a part of the text, with brackets round it: `parts` joined by commas in an array.
-class PartParser {
- public:
-  PartParser(std::string_view text, const std::string& name, std::size_t max_bytes)
-      : text_(text), name_(name), max_bytes_(max_bytes) {}
-
-  // Parsed values live until the next call.
-  std::vector<dom::element> parse(std::span<const std::string_view> parts) {
-    const dom::array array = parse_inside(parts);
-    return {array.begin(), array.end()};
-  }
-  // For parts that hold several values each, with commas between.
-  dom::array parse_inside(std::span<const std::string_view> parts) {
-    std::size_t bytes = 0;
-    for (const std::string_view part : parts) bytes += part.size();
-    if (bytes > max_bytes_) refuse_long_part(name_, find_line(parts), "part", max_bytes_);
-    buffer_ = "[";
-    for (const std::string_view part : parts) {
-      if (buffer_.size() > 1) buffer_ += ',';
-      buffer_ += part;
-    }
-    buffer_ += ']';
-    const std::size_t size = buffer_.size();
-    buffer_.resize(size + simdjson::SIMDJSON_PADDING, ' ');
-    dom::element array;
-    if (const auto error = parser_.parse(buffer_.data(), size, false).get(array))
-      throw Error(name_, find_line(parts),
-                  std::string("not JSON: ") + simdjson::error_message(error));
-    return array;
-  }
-
- private:
-  std::size_t find_line(std::span<const std::string_view> parts) const {
-    return line_of(text_, static_cast<std::size_t>(parts.front().data() - text_.data()));
-  }
-
-  std::string_view text_;
-  const std::string& name_;
-  std::size_t max_bytes_;
-  dom::parser parser_;
-  std::string buffer_;
-};
 
 // A document, known from its index and its small parts.
 class Document {
