@@ -1,7 +1,8 @@
-// Turns a chordal axis into streets: removes spurs into corners, and makes each junction one point
-// where its arms meet.
+// Makes a chordal axis the skeleton of streets: without spurs into corners, and with one node for
+// each junction.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -9,13 +10,18 @@
 
 namespace nightcity::streets {
 
-/// The centreline of a stretch between two nodes, which are ends or junctions.
-struct Centreline {
-  std::size_t from = no_node, to = no_node;
-  std::vector<glm::dvec2> line;  // streets that meet share exactly the same end points
-  double width_m = 0;
-};
+/// A street, and so a junction, is at most so wide; a larger outline is a square.
+constexpr double widest_street_m = 60;
 
-std::vector<Centreline> find_centrelines(Axis&& axis);
+/// The numbers of the branches that end at each node; a ring is listed twice at its node.
+using BranchesAt = std::vector<std::vector<std::size_t>>;
+BranchesAt list_branches_at(std::size_t nodes, std::span<const Axis::Branch> branches);
+
+/// Returns the length of a line, m.
+double length_of(std::span<const glm::dvec2> line);
+
+/// Removes spurs that reach no farther than a corner of their junction, joins branches where only
+/// two are left, and merges junctions that are nearer to each other than they are wide.
+Axis clean_axis(Axis&& axis);
 
 }  // namespace nightcity::streets

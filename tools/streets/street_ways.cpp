@@ -11,7 +11,7 @@
 
 #include "tools/in_ring.h"
 #include "tools/roads/carriageway.h"
-#include "tools/streets/axis_cleaning.h"
+#include "tools/streets/centrelines.h"
 
 namespace nightcity::streets {
 namespace {

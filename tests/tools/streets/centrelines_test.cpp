@@ -7,7 +7,7 @@
 #include <map>
 
 #include "formats/error.h"
-#include "tools/streets/axis_cleaning.h"
+#include "tools/streets/centrelines.h"
 #include "tools/streets/road_shapes.h"
 
 namespace nightcity::streets {
