@@ -114,6 +114,16 @@ std::vector<Curve::Height> LinkNetwork::find_surface(const PlanLine& line, const
   return heights;
 }
 
+double LinkNetwork::find_rise_m(std::size_t lane, double s, double right_m) const {
+  const RoadEdge& edge = graph_.edges[links_[lane].edge];
+  if (rises_evenly(edge)) return 0;
+  const Curve::Place place = links_[lane].curve.at(s);
+  const dvec2 middle(place.point), right(place.along.y, -place.along.x);
+  const auto own = surface_at(middle, edge, edge),
+             beside = surface_at(middle + right * right_m, edge, edge);
+  return own && beside ? *beside - *own : 0;
+}
+
 void LinkNetwork::limit_speed(Link& link, double limit) const {
   const auto& samples = link.curve.samples();
   for (const Curve::Sample& sample : samples) {

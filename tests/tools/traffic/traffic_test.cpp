@@ -106,6 +106,24 @@ TEST(Traffic, HeadsWhereItDrives) {
     }
 }
 
+TEST(Traffic, WheelsStandOnASlopeAtTheKerbToo) {
+  const auto find_height = [](const glm::dvec2& p) { return 0.15 * p.x + 0.1 * p.y; };
+  TrafficOptions options;
+  options.vehicles = 20;
+  options.cycle_s = 300;
+  const TrafficSet set = make_traffic(
+      test::street_grid(blocks, size_m, tail_m), test::to_plane,
+      [&](const glm::dvec2& p) { return std::optional(find_height(p)); }, {}, options, {});
+  const TrafficContent content = set.content();
+  std::size_t parked = 0;
+  for (const Trip& trip : content.trips)
+    for (const TripKnot& knot : knots_of(content, trip)) {
+      EXPECT_NEAR(knot.position.y, find_height({knot.position.x, -knot.position.z}), 0.05);
+      parked += knot.time_s == 0 && glm::length(knot.velocity) < 0.1f;
+    }
+  EXPECT_GT(parked, 5u);
+}
+
 TEST(Traffic, AppearsAndVanishesAtEndsOfStreetsAndAtKerbsOnly) {
   const TrafficContent content = busiest();
   const double low = -tail_m, high = blocks * size_m + tail_m;
