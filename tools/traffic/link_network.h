@@ -84,6 +84,8 @@ class LinkNetwork {
   bool rises_evenly(const RoadEdge& edge) const;
   std::optional<double> surface_at(const glm::dvec2& place, const RoadEdge& edge,
                                    const RoadEdge& next) const;
+  std::optional<Curve::Height> find_height(const PlanPoint& p, const RoadEdge& edge,
+                                           const RoadEdge& next) const;
   std::vector<Curve::Height> find_surface(const PlanLine& line, const RoadEdge& edge,
                                           const RoadEdge& next, double last) const;
   void limit_speed(Link& link, double limit) const;
