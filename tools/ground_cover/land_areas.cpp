@@ -193,8 +193,8 @@ const Row* find_row(const osm::OsmTags& tags) {
   return best;
 }
 
-// Values of `natural` that are areas on some maps and say what shape the land has, or what stands on
-// it: nothing about the ground.
+// On some maps these values of `natural` are areas. They say what shape land has, or what stands
+// on it, and nothing about the ground.
 constexpr std::array shapes{"archipelago", "arete",          "bay",      "cape",      "cliff",
                             "coastline",   "crater",         "gorge",    "hill",      "isthmus",
                             "landform",    "mountain_range", "peak",     "peninsula", "plateau",

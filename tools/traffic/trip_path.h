@@ -31,7 +31,7 @@ class TripPath {
   const LinkNetwork& network_;
   const TripPlan& plan_;
   std::vector<double> starts_;  // of each link, and the end of the last
-  // How much higher than its lane the vehicle stands where it is parked.
+  // Where it is parked the vehicle stands so much higher than its lane.
   double start_rise_m_ = 0, end_rise_m_ = 0;
 };
 
