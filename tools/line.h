@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -22,5 +23,13 @@ inline bool comes_before(const Line& a, const Line& b) {
 struct PointOrder {
   bool operator()(const glm::dvec2& a, const glm::dvec2& b) const { return comes_before(a, b); }
 };
+
+/// Returns the distance of `p` from the straight line between `a` and `b`, both ends among it.
+inline double find_distance(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+  const glm::dvec2 along = b - a;
+  const double length2 = glm::dot(along, along);
+  const double share = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
+  return glm::distance(p, a + share * along);
+}
 
 }  // namespace nightcity

@@ -25,6 +25,8 @@ using ground_cover::Box;
 constexpr double step_m = 0.5;
 // Ground between the points of a 10 m grid is flat enough (as for draped streets).
 constexpr double max_edge_m = 10;
+// Where it is not, as on a bank, points are added until it lies within so much of the edges.
+constexpr double max_gap_m = 0.1;
 
 const char* const in_building = "in a building or below a bridge";
 const char* const on_carriageway = "on a carriageway";
@@ -183,9 +185,30 @@ class Builder {
     std::vector<glm::dvec3> points;
     for (std::size_t i = 0; i < places.size() && known; ++i) {
       known = heights[i] ? heights[i] : known;
-      points.emplace_back(places[i], *known);
+      const glm::dvec3 point(places[i], *known);
+      if (!points.empty()) add_bends(glm::dvec3(points.back()), point, points);
+      points.push_back(point);
     }
     return points;
+  }
+
+  // Adds the points between two at which the ground bends.
+  void add_bends(const glm::dvec3& from, const glm::dvec3& to,
+                 std::vector<glm::dvec3>& points) const {
+    const double steps = std::ceil(glm::distance(glm::dvec2(from), glm::dvec2(to)) / step_m);
+    double worst_m = max_gap_m;
+    std::optional<glm::dvec3> bend;
+    for (double k = 1; k < steps; ++k) {
+      const glm::dvec3 p = glm::mix(from, to, k / steps);
+      const auto height = height_at_(glm::dvec2(p));
+      if (!height || std::abs(*height - p.z) <= worst_m) continue;
+      worst_m = std::abs(*height - p.z);
+      bend = {p.x, p.y, *height};
+    }
+    if (!bend) return;
+    add_bends(from, *bend, points);
+    points.push_back(*bend);
+    add_bends(*bend, to, points);
   }
 
   // Adds an area whose outline is free all along; returns whether it was.

@@ -14,12 +14,23 @@ namespace {
 // Outlines lie on a grid of about a millimetre: corners that are meant to be one are one then.
 constexpr double steps_a_metre = 1024;
 
+// Rounds a place to the grid, and outward on a side of the box: between an outline and the side a
+// strip of bare ground would stand up from a carriageway.
+glm::dvec2 round_outward(const glm::dvec2& p, const Box& box) {
+  glm::dvec2 rounded = glm::round(p * steps_a_metre);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (p[axis] == box.low[axis]) rounded[axis] = std::floor(p[axis] * steps_a_metre);
+    if (p[axis] == box.high[axis]) rounded[axis] = std::ceil(p[axis] * steps_a_metre);
+  }
+  return rounded / steps_a_metre;
+}
+
 std::vector<std::vector<glm::dvec2>> to_part(const std::vector<std::vector<glm::dvec2>>& rings,
                                              const Box& box, const glm::dvec2& origin) {
   std::vector<std::vector<glm::dvec2>> out;
   for (const auto& ring : rings) {
     std::vector<glm::dvec2> cut = clip_ring(ring, box.low, box.high);
-    for (glm::dvec2& p : cut) p = glm::round(p * steps_a_metre) / steps_a_metre - origin;
+    for (glm::dvec2& p : cut) p = round_outward(p, box) - origin;
     cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
     if (cut.size() >= 3) out.push_back(std::move(cut));
   }

@@ -31,6 +31,8 @@ constexpr std::array<GroundMaterial, ground_kind_count> materials{{
     {"woodland floor", 0.07f, {1.0f, 0.9f, 0.6f}, 1.0f},    // [B] leaf litter, lower end
     {"farmland", 0.12f, {0.95f, 1.0f, 0.6f}, 1.0f},         // [B] crops and bare soil
     {"water", 0.04f, {0.8f, 1.0f, 1.1f}, 0.05f},            // [O] high sun 0.03-0.10, deep
+    {"ice", 0.30f, {0.92f, 1.0f, 1.05f}, 0.5f},             // [O] of glaciers 0.20-0.40
+    {"snow", 0.68f, {1.0f, 1.0f, 1.0f}, 1.0f},              // [O] old 0.40, fresh 0.95
     {"kerb", 0.27f, {1.0f, 0.99f, 0.97f}, 0.9f},            // [O] stone 0.20-0.35
     {"road marking",
      0.50f,
@@ -85,6 +87,8 @@ constexpr std::array words{
     Word{"clay", GroundKind::soil},
     Word{"unpaved", GroundKind::soil},
     Word{"rock", GroundKind::gravel},
+    Word{"ice", GroundKind::ice},
+    Word{"snow", GroundKind::snow},
     Word{"grass", GroundKind::grass},
     Word{"grass_paver", GroundKind::grass},
     Word{"artificial_turf", GroundKind::turf},

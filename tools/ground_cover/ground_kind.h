@@ -27,6 +27,8 @@ enum class GroundKind : std::uint8_t {
   woodland,
   farmland,
   water,
+  ice,
+  snow,
   kerb,
   paint,
   ballast,

@@ -74,6 +74,8 @@ constexpr std::array rows{
     Row{"landcover", "scrub", 460, GroundKind::scrub, false},
     Row{"landcover", "sand", 460, GroundKind::sand, false},
     Row{"landcover", "gravel", 460, GroundKind::gravel, false},
+    Row{"landcover", "ice", 460, GroundKind::ice, false},
+    Row{"landcover", "snow", 460, GroundKind::snow, false},
     Row{"natural", "beach", 450, GroundKind::sand, true},
     Row{"natural", "sand", 450, GroundKind::sand, false},
     Row{"natural", "dune", 450, GroundKind::sand, false},
@@ -83,6 +85,7 @@ constexpr std::array rows{
     Row{"natural", "bare_rock", 450, GroundKind::gravel, false},
     Row{"natural", "rock", 450, GroundKind::gravel, false},
     Row{"natural", "mud", 450, GroundKind::soil, false},
+    Row{"natural", "glacier", 450, GroundKind::ice, true},
     // OSM wiki, "Tag:natural=wetland": what kind of wetland it is says what is seen.
     Row{"wetland", "tidalflat", 431, GroundKind::soil, false},
     Row{"wetland", "mud", 431, GroundKind::soil, false},
@@ -190,6 +193,25 @@ const Row* find_row(const osm::OsmTags& tags) {
   return best;
 }
 
+// On some maps these values of `natural` are areas. They say what shape land has, or what stands
+// on it, and nothing about the ground.
+constexpr std::array shapes{"archipelago", "arete",          "bay",      "cape",      "cliff",
+                            "coastline",   "crater",         "gorge",    "hill",      "isthmus",
+                            "landform",    "mountain_range", "peak",     "peninsula", "plateau",
+                            "ridge",       "saddle",         "sinkhole", "strait",    "tree_group",
+                            "tree_row",    "valley",         "volcano"};
+
+// Returns the tag that names a ground of no kind that the table knows; empty where there is none.
+std::string find_unknown_ground(const osm::OsmTags& tags) {
+  if (lies_elsewhere(tags) || tags.contains("building") || find_row(tags)) return {};
+  for (const char* key : {"natural", "landcover"})
+    if (const std::string value = tag_of(tags, key);
+        !value.empty() && value != "no" &&
+        std::find(shapes.begin(), shapes.end(), value) == shapes.end())
+      return std::string(key) + "=" + value;
+  return {};
+}
+
 // Outlines of streets: area:highway, and highway with area=yes.
 std::optional<LandUse> find_street_outline(const osm::OsmTags& tags) {
   std::string highway = tag_of(tags, "area:highway");
@@ -226,7 +248,7 @@ std::optional<LandUse> find_land_use(const osm::OsmTags& tags) {
 
 osm::AreaSelection select_land() {
   osm::AreaSelection selection{{"area:highway", "highway"}, [](const osm::OsmTags& tags) {
-                                 return find_land_use(tags).has_value();
+                                 return find_land_use(tags) || !find_unknown_ground(tags).empty();
                                }};
   for (const Row& row : rows) selection.keys.emplace_back(row.key);
   std::sort(selection.keys.begin(), selection.keys.end());
@@ -240,7 +262,15 @@ void add_land(std::span<const osm::MapArea> areas, const place::LonLatToFrame& t
   std::vector<std::pair<double, CoverArea>> found;  // with their areas, m2
   for (const osm::MapArea& area : areas) {
     const auto use = find_land_use(area.tags);
-    if (!use) continue;
+    if (!use) {
+      const auto lies_here = [&](const osm::MapRings& rings) {
+        return find_line(rings.outer, to_frame, bounds).size() >= 3;
+      };
+      const std::string unknown = find_unknown_ground(area.tags);
+      if (!unknown.empty() && std::any_of(area.rings.begin(), area.rings.end(), lies_here))
+        ++cover.left_out["land with " + unknown];
+      continue;
+    }
     if (const auto surface = area.tags.find("surface");
         surface != area.tags.end() && !find_surface(surface->second))
       ++cover.assumed["surface of land whose tag is not known"];

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "formats/finite.h"
@@ -94,6 +95,7 @@ class StreetAreas {
     const roads::RoadClass& road = *carriageway->road_class;
     const GroundKind kind = find_kind(way.tags, road);
     const double half_m = carriageway->width_m / 2;
+    size_ = {half_m, find_length_m(line, bounds_)};
     if (road.tier == roads::RoadTier::path) {
       const bool sunken = false, marked = false;
       add(line, half_m, Side::both, path_rank, {kind, sunken, marked});
@@ -110,6 +112,14 @@ class StreetAreas {
     }
     add_roadside(line, half_m, left, right);
     if (left.assumed || right.assumed) ++cover_.assumed["pavement beside a street"];
+  }
+
+  // Where two streets of one rank cross, the wider is seen, of two of one width the longer, in
+  // whatever order the map has them.
+  void finish() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (auto& [size, area] : found_) cover_.add(std::move(area));
   }
 
  private:
@@ -199,7 +209,8 @@ class StreetAreas {
                        const Surface& surface) {
     add(line, half_m, Side::both, carriageway_rank + road_rank, surface, Widener::Ends::flat);
     for (const glm::dvec2& end : {line.front(), line.back()})
-      cover_.add({carriageway_end_rank + road_rank, surface, {make_disc(end, half_m)}});
+      found_.emplace_back(
+          size_, CoverArea{carriageway_end_rank + road_rank, surface, {make_disc(end, half_m)}});
   }
 
   static Ring make_disc(const glm::dvec2& middle, double radius_m) {
@@ -218,7 +229,7 @@ class StreetAreas {
     if (rings.empty())
       ++cover_.left_out["street without an area"];
     else
-      cover_.add({rank, surface, std::move(rings)});
+      found_.emplace_back(size_, CoverArea{rank, surface, std::move(rings)});
   }
 
   bool bays_;
@@ -227,6 +238,9 @@ class StreetAreas {
   Cover& cover_;
   std::optional<Junctions> junctions_;
   Widener widener_;
+  using Size = std::pair<double, double>;  // of a street: half its width and its length, m
+  Size size_{};
+  std::vector<std::pair<Size, CoverArea>> found_;
 };
 
 }  // namespace
@@ -265,6 +279,7 @@ void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonL
                  const Box& bounds, Cover& cover) {
   StreetAreas areas(ways, bays, to_frame, bounds, cover);
   for (const osm::OsmWay& way : ways) areas.add(way);
+  areas.finish();
 }
 
 }  // namespace nightcity::ground_cover

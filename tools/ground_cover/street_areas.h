@@ -22,11 +22,12 @@ constexpr double cycle_track_m = 2.0;
 
 /// Adds the streets to `cover`, as far as they lie in `bounds` (E, N, m). Where they overlap,
 /// carriageways are seen before bays, then cycle tracks, paths and pavements; of carriageways that
-/// of the more important road. Widths are those of roads::read_carriageway; `sidewalk` and
-/// `cycleway` and their sides say what runs beside it, else the class of the road. With `bays`,
-/// `parking` and its sides say where cars park: in bays beside the carriageway, level with it, or
-/// on a pavement, which is as wide then as they need. Streets in tunnels and buildings, values that
-/// are assumed, and lengths of parking lanes are counted in `cover`.
+/// of the more important road, then of the wider and the longer one, in whatever order the map has
+/// them. Widths are those of roads::read_carriageway; `sidewalk` and `cycleway` and their sides say
+/// what runs beside it, else the class of the road. With `bays`, `parking` and its sides say where
+/// cars park: in bays beside the carriageway, level with it, or on a pavement, which is as wide as
+/// they need then. Streets in tunnels and buildings, values that are assumed, and lengths of
+/// parking lanes are counted in `cover`.
 void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
                  const Box& bounds, Cover& cover);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tools/layout/layout_design.h"
+#include "tools/line.h"
 
 namespace nightcity::layout {
 namespace {
@@ -60,6 +61,13 @@ bool PostSites::near_other_carriageway(std::size_t street, const glm::dvec2& p,
       });
 }
 
+// A street may bend back to a place beside it, or cross itself.
+bool PostSites::is_in_carriageway(const streets::Street& street, const glm::dvec2& p) const {
+  for (std::size_t n = 0; n + 1 < street.line.size(); ++n)
+    if (find_distance(p, street.line[n], street.line[n + 1]) < street.road.width_m / 2) return true;
+  return false;
+}
+
 bool PostSites::clear_of_buildings(const glm::dvec2& p) const {
   if (!inside_) return true;
   if (inside_(p)) return false;
@@ -86,7 +94,9 @@ std::optional<PostSite> PostSites::beside(std::size_t street, double along_m, in
     if (!clear_of_buildings(p)) continue;
     const auto height = height_at_(p);
     fault = !height ? SiteFault::outside_model : SiteFault::carriageway;
-    if (!height || near_other_carriageway(street, p, carriageway_clearance_m)) return std::nullopt;
+    if (!height || is_in_carriageway(road, p) ||
+        near_other_carriageway(street, p, carriageway_clearance_m))
+      return std::nullopt;
     return PostSite{{p, *height}, along_m, offset, side, offset < wanted};
   }
   return std::nullopt;

@@ -39,6 +39,7 @@ class PostSites {
 
  private:
   void add_carriageway(const std::vector<glm::dvec2>& line, double width_m);
+  bool is_in_carriageway(const streets::Street& street, const glm::dvec2& p) const;
   bool clear_of_buildings(const glm::dvec2& p) const;
 
   const streets::StreetNetwork& network_;

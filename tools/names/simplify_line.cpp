@@ -2,21 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <glm/geometric.hpp>
 #include <utility>
 
 namespace nightcity::names {
-namespace {
-
-double find_distance(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
-  const glm::dvec2 along = b - a;
-  const double length2 = glm::dot(along, along);
-  const double share = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  return glm::distance(p, a + share * along);
-}
-
-}  // namespace
-
 Line simplify_line(const Line& line, double tolerance_m) {
   constexpr std::size_t max_run = 1000;
   if (line.size() < 3) return line;

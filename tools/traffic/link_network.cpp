@@ -95,23 +95,46 @@ std::optional<double> LinkNetwork::surface_at(const dvec2& place, const RoadEdge
   return height_at_(place);
 }
 
+/// Returns the height of what is driven on at a point of a line: on two axles, or, where the ground
+/// ends there, on the straight line through what there is of it near by; none where there is none.
+std::optional<Curve::Height> LinkNetwork::find_height(const PlanPoint& p, const RoadEdge& edge,
+                                                      const RoadEdge& next) const {
+  const auto find = [&](double axles) {
+    return surface_at(p.point + p.along * (axles * half_axle_m), edge, next);
+  };
+  const auto front = find(1), rear = find(-1);
+  if (front && rear)
+    return Curve::Height{(*front + *rear) / 2, (*front - *rear) / (2 * half_axle_m)};
+  std::vector<std::pair<double, double>> known;  // places, in half axles, and heights
+  for (const double axles : {-2.0, -1.0, 0.0, 1.0, 2.0})
+    if (const auto height = find(axles)) known.emplace_back(axles, *height);
+  if (known.empty()) return std::nullopt;
+  const auto [first, low] = known.front();
+  const auto [last, high] = known.back();
+  const double slope = last > first ? (high - low) / (last - first) : 0;  // for half an axle
+  return Curve::Height{low - slope * first, slope / half_axle_m};
+}
+
 /// Returns the heights of what is driven on along a line from an edge to the next. In a hole of the
 /// ground the last known height continues.
 std::vector<Curve::Height> LinkNetwork::find_surface(const PlanLine& line, const RoadEdge& edge,
                                                      const RoadEdge& next, double last) const {
   std::vector<Curve::Height> heights;
   for (const PlanPoint& p : line) {
-    const auto front = surface_at(p.point + p.along * half_axle_m, edge, next),
-               rear = surface_at(p.point - p.along * half_axle_m, edge, next);
-    if (front && rear) {
-      last = (*front + *rear) / 2;
-      heights.push_back({last, (*front - *rear) / (2 * half_axle_m)});
-    } else {
-      last = surface_at(p.point, edge, next).value_or(last);
-      heights.push_back({last, 0});
-    }
+    heights.push_back(find_height(p, edge, next).value_or(Curve::Height{last, 0}));
+    last = heights.back().height_m;
   }
   return heights;
+}
+
+double LinkNetwork::find_rise_m(std::size_t lane, double s, double right_m) const {
+  const RoadEdge& edge = graph_.edges[links_[lane].edge];
+  if (rises_evenly(edge)) return 0;
+  const Curve::Place place = links_[lane].curve.at(s);
+  const dvec2 middle(place.point), right(place.along.y, -place.along.x);
+  const auto own = surface_at(middle, edge, edge),
+             beside = surface_at(middle + right * right_m, edge, edge);
+  return own && beside ? *beside - *own : 0;
 }
 
 void LinkNetwork::limit_speed(Link& link, double limit) const {

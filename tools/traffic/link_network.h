@@ -59,6 +59,8 @@ class LinkNetwork {
   /// beside or behind the end of the first (lanes that overlap at acute corners), only a loop
   /// would lead there.
   bool can_turn(std::size_t edge, int lane, std::size_t next_edge, int next_lane);
+  /// Returns by how much what is driven on lies higher `right_m` beside a lane than in it.
+  double find_rise_m(std::size_t lane, double s, double right_m) const;
   /// Finds the conflicts of all links made so far.
   void find_conflicts();
 
@@ -82,6 +84,8 @@ class LinkNetwork {
   bool rises_evenly(const RoadEdge& edge) const;
   std::optional<double> surface_at(const glm::dvec2& place, const RoadEdge& edge,
                                    const RoadEdge& next) const;
+  std::optional<Curve::Height> find_height(const PlanPoint& p, const RoadEdge& edge,
+                                           const RoadEdge& next) const;
   std::vector<Curve::Height> find_surface(const PlanLine& line, const RoadEdge& edge,
                                           const RoadEdge& next, double last) const;
   void limit_speed(Link& link, double limit) const;

@@ -27,19 +27,29 @@ TripPath::TripPath(const LinkNetwork& network, const TripPlan& plan)
     sum += network.links()[link].curve.length();
   }
   starts_.push_back(sum);
+  if (plan.start_aside_m != 0)
+    start_rise_m_ = network.find_rise_m(plan.links.front(), plan.start_s, plan.start_aside_m);
+  if (plan.end_aside_m != 0)
+    end_rise_m_ = network.find_rise_m(plan.links.back(), plan.end_s, plan.end_aside_m);
+}
+
+void TripPath::add(double aside_m, double rise_m, double share, double share_slope, Aside& sum) {
+  sum.shift += aside_m * share;
+  sum.slope += aside_m * share_slope;
+  sum.rise += rise_m * share;
+  sum.rise_slope += rise_m * share_slope;
 }
 
 TripPath::Aside TripPath::aside(double distance_m) const {
-  Aside result{0, 0};
+  Aside result{};
   if (plan_.start_aside_m != 0) {
     const Ramp out = ramp((distance_m - plan_.start_s) / pull_out_m);
-    result = {plan_.start_aside_m * out.value, plan_.start_aside_m * out.slope / pull_out_m};
+    add(plan_.start_aside_m, start_rise_m_, out.value, out.slope / pull_out_m, result);
   }
   if (plan_.end_aside_m != 0) {
     const double end = starts_[starts_.size() - 2] + plan_.end_s;
     const Ramp in = ramp((end - distance_m) / pull_out_m);
-    result.shift += plan_.end_aside_m * in.value;
-    result.slope -= plan_.end_aside_m * in.slope / pull_out_m;
+    add(plan_.end_aside_m, end_rise_m_, in.value, -in.slope / pull_out_m, result);
   }
   return result;
 }
@@ -52,8 +62,8 @@ Curve::Place TripPath::at(double distance_m) const {
   if (shift.shift != 0 || shift.slope != 0) {
     // A lane is nearly straight where vehicles park, so the turning of its normal is neglected.
     const glm::dvec3 right(place.along.y, -place.along.x, 0);
-    place.point += right * shift.shift;
-    place.along += right * shift.slope;
+    place.point += right * shift.shift + glm::dvec3(0, 0, shift.rise);
+    place.along += right * shift.slope + glm::dvec3(0, 0, shift.rise_slope);
   }
   return place;
 }

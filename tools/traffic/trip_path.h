@@ -20,14 +20,19 @@ class TripPath {
   double length() const { return starts_.back(); }
 
  private:
+  // A shift to the right and the rise of the ground there, and their derivatives.
   struct Aside {
-    double shift, slope;
+    double shift, slope, rise, rise_slope;
   };
+  // Shifts by shares of what the vehicle is aside where it is parked.
+  static void add(double aside_m, double rise_m, double share, double share_slope, Aside& sum);
   Aside aside(double distance_m) const;
 
   const LinkNetwork& network_;
   const TripPlan& plan_;
   std::vector<double> starts_;  // of each link, and the end of the last
+  // Where it is parked the vehicle stands so much higher than its lane.
+  double start_rise_m_ = 0, end_rise_m_ = 0;
 };
 
 }  // namespace nightcity::traffic

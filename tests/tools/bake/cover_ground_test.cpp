@@ -148,6 +148,28 @@ TEST(CoverGround, SliversAtTheGroundsBorderLieInItsPlane) {
     for (const glm::vec3& corner : t.corners) EXPECT_NEAR(corner.y, 0.1 * corner.x, 1e-4);
 }
 
+TEST(CoverGround, NoKerbStandsAcrossAStreetWhereTilesMeetOffTheGridOfOutlines) {
+  for (const float border : {50.0f, 49.9996f, 50.0004f, 50.0001f}) {
+    Cover cover;
+    cover.add(band(2, 40, 46, {GroundKind::asphalt, true, true}));
+    cover.finish();
+    double kerb_m2 = 0;
+    for (const auto& [west, east] : {std::pair(0.0f, border), std::pair(border, 100.0f)}) {
+      const glm::vec3 a(west, 0, 0), b(east, 0, 0), c(east, 0, -100), d(west, 0, -100);
+      const MaterialCode terrain = to_code(BakeMaterial::terrain);
+      std::vector<Stored> tile{{{a, b, c}, terrain, relief_feature, 0},
+                               {{a, c, d}, terrain, relief_feature, 0}};
+      CoverCounts counts;
+      cover_ground(cover, {0, 0, 0}, tile, counts);
+      for (const Stored& t : tile)
+        if (t.material == to_code(GroundKind::kerb))
+          kerb_m2 +=
+              glm::length(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])) / 2;
+    }
+    EXPECT_NEAR(kerb_m2, 2 * 100 * roads::kerb_m, 1e-2) << border;
+  }
+}
+
 TEST(CoverGround, PaintIsSeenOnCarriagewaysOnly) {
   Cover cover;
   cover.add(band(2, 40, 46, {GroundKind::asphalt, true, true}));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -61,6 +62,23 @@ TEST(FindBarriers, AWallStandsOnTheGroundAlongItsWay) {
   for (const glm::dvec3& p : set.lines[0].points) EXPECT_NEAR(p.z, p.x / 10, 1e-9);
   for (std::size_t i = 1; i < set.lines[0].points.size(); ++i)
     EXPECT_LE(glm::distance(set.lines[0].points[i - 1], set.lines[0].points[i]), 10.1);
+}
+
+TEST(FindBarriers, AWallFollowsBanksAndWavesOfTheGround) {
+  const place::HeightAt bank = [](const glm::dvec2& p) {
+    return std::optional(std::clamp(p.x - 130, 0.0, 3.0) + 2 * std::sin(p.y / 12));
+  };
+  osm::OsmData map;
+  map.barriers = {wall_along({{100, 100}, {163, 100}, {163, 170}})};
+  const BarrierSet set = find_barriers(map, {}, bounds, as_metres, bank, house);
+  ASSERT_EQ(set.lines.size(), 1u);
+  const std::vector<glm::dvec3>& points = set.lines[0].points;
+  EXPECT_LE(points.size(), 40u);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    for (double share = 0; share <= 1; share += 0.05) {
+      const glm::dvec3 p = points[i - 1] + (points[i] - points[i - 1]) * share;
+      EXPECT_NEAR(p.z, *bank(glm::dvec2(p)), 0.13) << p.x << ", " << p.y;
+    }
 }
 
 TEST(FindBarriers, AClosedWallIsOneRing) {

@@ -18,7 +18,8 @@ TEST(GroundKind, ReflectsWhatItsSourceSays) {
         Range{GroundKind::paving_stones, 0.20f, 0.30f}, Range{GroundKind::sett, 0.20f, 0.35f},
         Range{GroundKind::sand, 0.20f, 0.45f}, Range{GroundKind::soil, 0.05f, 0.40f},
         Range{GroundKind::grass, 0.05f, 0.15f}, Range{GroundKind::woodland, 0.05f, 0.15f},
-        Range{GroundKind::water, 0.03f, 0.10f}}) {
+        Range{GroundKind::water, 0.03f, 0.10f}, Range{GroundKind::ice, 0.20f, 0.40f},
+        Range{GroundKind::snow, 0.40f, 0.95f}}) {
     EXPECT_GE(find_material(range.kind).reflectance, range.low) << find_material(range.kind).name;
     EXPECT_LE(find_material(range.kind).reflectance, range.high) << find_material(range.kind).name;
   }

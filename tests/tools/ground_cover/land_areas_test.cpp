@@ -220,6 +220,30 @@ TEST(LandAreas, RarerKindsOfLandAreKnown) {
   EXPECT_EQ(kind_of({{"amenity", "motorcycle_parking"}}), GroundKind::asphalt);
 }
 
+TEST(LandAreas, GlaciersAreIce) {
+  EXPECT_EQ(kind_of({{"natural", "glacier"}}), GroundKind::ice);
+  EXPECT_EQ(kind_of({{"natural", "glacier"}, {"surface", "snow"}}), GroundKind::snow);
+  EXPECT_EQ(kind_of({{"landcover", "snow"}}), GroundKind::snow);
+}
+
+TEST(LandAreas, AGroundThatNoRowKnowsIsTold) {
+  Cover cover;
+  const std::vector<osm::MapArea> areas{
+      square(0, 10, {{"natural", "moor"}}), square(20, 30, {{"natural", "Moor"}}),
+      square(0, 10, {{"landcover", "moss"}}),
+      // Elsewhere, a shape of the land, known, in a building, no ground.
+      square(9000, 9010, {{"natural", "moor"}}), square(0, 10, {{"natural", "bay"}}),
+      square(0, 10, {{"natural", "moor"}, {"landuse", "meadow"}}),
+      square(0, 10, {{"natural", "moor"}, {"indoor", "yes"}}),
+      square(0, 10, {{"landuse", "residential"}})};
+  add_land(areas, as_metres, bounds, cover);
+  EXPECT_EQ(cover.left_out, (std::map<std::string, std::size_t>{{"land with natural=moor", 2},
+                                                                {"land with landcover=moss", 1}}));
+  const osm::AreaSelection land = select_land();
+  EXPECT_TRUE(land.wants({{"natural", "moor"}}));
+  EXPECT_FALSE(land.wants({{"natural", "bay"}}));
+}
+
 TEST(LandAreas, AWayToAPlaceAndBackEnclosesNothingAndIsCounted) {
   const test::TempFolder folder;
   std::ofstream(folder / "map.osm") << R"(<osm version="0.6">

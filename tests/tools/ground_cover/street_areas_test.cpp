@@ -65,6 +65,21 @@ TEST(StreetAreas, TheMoreImportantRoadIsSeenWhereTwoCross) {
 }
 
 // The greater road does not show its round end in the lesser one, which goes on from there.
+TEST(StreetAreas, WhichOfTwoEqualRoadsIsSeenDoesNotDependOnTheirOrder) {
+  const auto made_of = [](const char* surface, const char* width) {
+    return osm::OsmTags{{"highway", "residential"}, {"surface", surface}, {"width", width}};
+  };
+  const osm::OsmWay narrow = way({{-200, 0}, {200, 0}}, made_of("sett", "5")),
+                    wide = way({{0, -100}, {0, 100}}, made_of("gravel", "6")),
+                    shorter = way({{-20, -100}, {-20, 100}}, made_of("concrete", "5"));
+  const auto areas = areas_of(cover_streets({narrow, wide, shorter}), middle);
+  EXPECT_EQ(areas, areas_of(cover_streets({shorter, wide, narrow}), middle));
+  EXPECT_EQ(areas, areas_of(cover_streets({wide, narrow, shorter}), middle));
+  EXPECT_NEAR(areas.at("gravel"), 80 * 6, 0.1);
+  EXPECT_NEAR(areas.at("sett"), 100 * 5 - 6 * 5, 0.1);
+  EXPECT_NEAR(areas.at("concrete"), 80 * 5 - 5 * 5, 0.1);
+}
+
 TEST(StreetAreas, AStreetThatChangesItsClassChangesThereAndNotBeyond) {
   const auto areas = areas_of(
       cover_streets({way({{-200, 0}, {0, 0}},

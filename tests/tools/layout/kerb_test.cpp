@@ -6,6 +6,7 @@
 
 #include "tools/layout/layout.h"
 #include "tools/layout/street_plane.h"
+#include "tools/line.h"
 #include "tools/roads/carriageway.h"
 #include "tools/traffic/link_network.h"
 #include "tools/traffic/vehicle_types.h"
@@ -100,6 +101,28 @@ TEST(Kerb, NoPostStandsWhereAVehicleDrivesInATownWithEveryClass) {
       for (const lights::PlacedLamp& lamp : set.lamps)
         nearest = std::min(nearest, glm::distance(glm::dvec2(sample.point), glm::dvec2(lamp.foot)));
   EXPECT_GT(nearest, half_car_m);
+}
+
+TEST(Kerb, NoPostStandsInTheCarriagewayWhereItsOwnStreetBendsBackOrCrossesItself) {
+  const Line ring = {{0, 0}, {45, 0}, {45, 40}, {0, 40}, {0, 0}},
+             hairpin = {{0, 0}, {200, 3}, {0, 6}, {200, 30}},
+             crossing = {{-100, -100}, {100, 100}, {100, -100}, {-100, 100}};
+  Line zigzag;
+  for (int k = 0; k < 40; ++k) zigzag.emplace_back(6 * k, k % 2 ? 5 : -5);
+  std::size_t posts = 0;
+  for (const Line& line : {ring, hairpin, crossing, zigzag})
+    for (const char* width : {"3", "6.5", "12"}) {
+      const lights::LampSet set = posts_of(
+          {street(1, line, {{"highway", "residential"}, {"lit", "yes"}, {"width", width}})});
+      posts += set.lamps.size();
+      const double kerb =
+          roads::carriageway_width({{"highway", "residential"}, {"width", width}}) / 2;
+      for (const lights::PlacedLamp& lamp : set.lamps)
+        for (std::size_t i = 1; i < line.size(); ++i)
+          EXPECT_GE(find_distance(glm::dvec2(lamp.foot), line[i - 1], line[i]), kerb - 1e-3)
+              << width << " m: " << lamp.foot.x << ", " << lamp.foot.y;
+    }
+  EXPECT_GT(posts, 50u);
 }
 
 }  // namespace

@@ -106,6 +106,43 @@ TEST(Traffic, HeadsWhereItDrives) {
     }
 }
 
+TEST(Traffic, WheelsStandOnASlopeAtTheKerbToo) {
+  const auto find_height = [](const glm::dvec2& p) { return 0.15 * p.x + 0.1 * p.y; };
+  TrafficOptions options;
+  options.vehicles = 20;
+  options.cycle_s = 300;
+  const TrafficSet set = make_traffic(
+      test::street_grid(blocks, size_m, tail_m), test::to_plane,
+      [&](const glm::dvec2& p) { return std::optional(find_height(p)); }, {}, options, {});
+  const TrafficContent content = set.content();
+  std::size_t parked = 0;
+  for (const Trip& trip : content.trips)
+    for (const TripKnot& knot : knots_of(content, trip)) {
+      EXPECT_NEAR(knot.position.y, find_height({knot.position.x, -knot.position.z}), 0.05);
+      parked += knot.time_s == 0 && glm::length(knot.velocity) < 0.1f;
+    }
+  EXPECT_GT(parked, 5u);
+}
+
+TEST(Traffic, WheelsStandOnASlopeUpToTheEdgeOfTheGround) {
+  const place::HeightAt part = [](const glm::dvec2& p) {
+    const double along = 0.96 * p.x + 0.28 * p.y;  // the edge runs aslant
+    return std::abs(along) < 300 ? std::optional(0.3 * p.x) : std::nullopt;
+  };
+  TrafficOptions options;
+  options.vehicles = 20;
+  options.cycle_s = 300;
+  const TrafficSet set =
+      make_traffic({test::street(1, {{-900, 0}, {900, 0}}, {{"highway", "secondary"}})},
+                   test::to_plane, part, {}, options, {});
+  std::size_t at_edge = 0;
+  for (const TripKnot& knot : set.content().knots) {
+    EXPECT_NEAR(knot.position.y, 0.3 * knot.position.x, 0.1);
+    at_edge += std::abs(knot.position.x) > 308;
+  }
+  EXPECT_GT(at_edge, 5u);
+}
+
 TEST(Traffic, AppearsAndVanishesAtEndsOfStreetsAndAtKerbsOnly) {
   const TrafficContent content = busiest();
   const double low = -tail_m, high = blocks * size_m + tail_m;
