@@ -63,7 +63,7 @@ TEST(FileFormat, ARemedyThatLeadsToAModelIsForWhoWantsOne) {
   EXPECT_EQ(explain_foreign("<?xml version=\"1.0\"?><IESTM33-22><Version/></IESTM33-22>", ""),
             "is photometry in TM-33: it belongs in [[lamps.luminaires]]");
   EXPECT_EQ(explain_foreign("{\"version\":\"0.6\",\"generator\":\"CGImap\",\"elements\":[]}", ""),
-            "is OpenStreetMap's data in JSON: ask for XML instead ([out:xml] of Overpass)");
+            "is OpenStreetMap's data in JSON: a map belongs in [osm] files");
   // A name that holds the word is no remedy.
   EXPECT_EQ(name_foreign("<CityGMLReport a=\"1\"/>", ""),
             "is XML of another kind: its root element is <CityGMLReport>");
