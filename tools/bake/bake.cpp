@@ -280,6 +280,11 @@ BakeOptions make_bake_options(const Recipe& recipe) {
   return options;
 }
 
+BakeOptions make_stage_options(const Recipe& recipe) {
+  return recipe.terrain.elevation_models.empty() ? to_bake_options(recipe)
+                                                 : make_bake_options(recipe);
+}
+
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress) {
   return bake(make_bake_options(recipe), folder, progress);
