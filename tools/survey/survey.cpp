@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/text_encoding.h"
 #include "tools/georeference/frame.h"
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/file_format.h"
@@ -213,6 +214,10 @@ SurveyedFile look_at(const fs::path& path) {
     file.use = Use::companion;
     return file;
   }
+  if (city::to_valid_utf8(path.string()) != path.string()) {
+    file.what = "its name is not in UTF-8, as a recipe is: rename it";
+    return file;
+  }
   if (attempt(look_at_format)) return file;
   // Texts are heights, a table or, mostly, words for a reader.
   if (to_lower(path.extension().string()) == ".txt") {
@@ -277,7 +282,7 @@ void list_files(const fs::path& path, std::set<fs::path>& files) {
 
 std::vector<SurveyedFile> survey_files(const std::vector<fs::path>& paths) {
   std::set<fs::path> files;
-  for (const fs::path& path : paths) list_files(path, files);
+  for (const fs::path& path : paths) list_files(path.lexically_normal(), files);
   std::vector<SurveyedFile> result;
   for (const fs::path& file : files) result.push_back(look_at(file));
   place_tables(result);

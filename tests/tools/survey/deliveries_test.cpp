@@ -103,5 +103,18 @@ TEST(Deliveries, AMapInJsonIsOneAndABrokenOneNoTable) {
   EXPECT_NE(look_at(folder, "b.json").what.find("incomplete"), std::string::npos);
 }
 
+TEST(Deliveries, AFileIsTakenOnceAndByANameThatARecipeCanHold) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", map_of_a_lamp);
+  EXPECT_EQ(survey_files({folder.path(), folder / "map.osm", folder / "x/../map.osm"}).size(), 1u);
+  write_text(folder / "stra\xDF"
+                      "e.osm",
+             map_of_a_lamp);
+  const auto files = survey_files({folder.path()});
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[1].use, Use::nothing);
+  EXPECT_NE(files[1].what.find("rename it"), std::string::npos) << files[1].what;
+}
+
 }  // namespace
 }  // namespace nightcity::survey
