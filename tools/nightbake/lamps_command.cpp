@@ -95,8 +95,8 @@ void add_lamps_command(CLI::App& app) {
   command
       ->add_option(
           "input", arguments->inputs,
-          "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2), with a city model for the ground, or a "
-          "recipe (TOML)")
+          "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2, .json), with a city model for the ground, "
+          "or a recipe (TOML)")
       ->required();
   program::add_output_option(
       *command, arguments->out,

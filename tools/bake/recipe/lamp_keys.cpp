@@ -174,8 +174,8 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
       "the lamp, as for lamps of the map.",
       {{"file", "path", "", "", "", "\"lamps.geojson\"",
         "GeoJSON, CSV, GeoPackage, Shapefile, FlatGeobuf, or rows in JSON as servers answer; "
-        "plain, or as the only table in a .zip or .gz. The headings of a CSV are the first that "
-        "name places, also below titles. Required.",
+        "plain, or as the only table in a .zip or .gz. A CSV may end in .txt. The headings of a "
+        "CSV are the first that name places, also below titles. Required.",
         [&row, folder](const Value& value) { row.file = value.path(folder); }},
        text_key("layer", row.layer, "\"lamps\"",
                 "The layer, where several in the file may hold points."),
