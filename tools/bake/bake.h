@@ -17,14 +17,7 @@ namespace nightcity::bake {
 BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
                 const ProgressSink& progress = {});
 
-/// Returns the options of a recipe's bake. Throws UsageError where its keys contradict each other.
-BakeOptions make_bake_options(const Recipe& recipe);
-
-/// Returns those of a command that does a stage by itself: the same, but of a map alone, for which
-/// the recipe has no elevation model. Its lamps and streets then keep the heights of their tags.
-BakeOptions make_stage_options(const Recipe& recipe);
-
-/// Does the same by a recipe.
+/// Does the same by a recipe. Throws UsageError where its keys contradict each other.
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress = {});
 

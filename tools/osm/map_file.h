@@ -18,7 +18,8 @@ namespace nightcity::osm {
 class MapFile {
  public:
   /// Throws Error where `file` is a zip archive that holds no map or several, or is broken, or is
-  /// broken JSON. Other files are not looked at. What was unpacked last is kept, as a bake reads a map several times.
+  /// broken JSON. Of other files the beginning is looked at. What was unpacked last is kept, as a
+  /// bake reads a map several times.
   explicit MapFile(const std::filesystem::path& file);
 
   /// Returns the path to read from, as long as this object is there.

@@ -48,7 +48,8 @@ struct SurveyedFile {
 
 /// Returns the files, those in folders too, sorted by path. A table that names no CRS, and whose
 /// places are no degrees, has that of another file, or one that is usual there, by which it lies
-/// beside the others. Never throws for what a file holds: it is then one without a use. Throws Error where a path does not exist or a folder cannot be read.
+/// beside the others. Never throws for what a file holds: it is then one without a use. Throws
+/// Error where a path does not exist or a folder cannot be read.
 std::vector<SurveyedFile> survey_files(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace nightcity::survey

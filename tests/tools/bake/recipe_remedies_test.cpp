@@ -1,4 +1,4 @@
-// What a recipe's messages advise: the table of a key, how paths are written, the nearest word.
+// A recipe's messages advise the table of a key, how paths are written, and the nearest word.
 #include <gtest/gtest.h>
 
 #include "support/error_message.h"

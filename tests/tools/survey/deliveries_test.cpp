@@ -1,4 +1,4 @@
-// What lies in one folder of downloads: tables without a CRS, texts, archives of several kinds.
+// Folders of downloads hold tables without a CRS, texts, and archives of several kinds.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -36,7 +36,7 @@ TEST(Deliveries, ATableWithoutACrsHasTheOneByWhichItLiesBesideTheOthers) {
   EXPECT_EQ(of_city.inventory->crs, "EPSG:25833");
   EXPECT_NEAR(of_city.box.least.y, 52.5101, 1e-3);
   EXPECT_NE(of_city.what.find("EPSG:25833 is assumed"), std::string::npos) << of_city.what;
-  // Of maps on the web: 13.3941 E, 52.5101 N.
+  // Maps on the web have this for 13.3941 E, 52.5101 N.
   const SurveyedFile of_web = look("1;1491024;6893113\n");
   ASSERT_EQ(of_web.use, Use::inventory) << of_web.what;
   EXPECT_EQ(of_web.inventory->crs, "EPSG:3857");
