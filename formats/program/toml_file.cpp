@@ -29,6 +29,8 @@ const toml::node* find_zero_byte(const toml::node& node) {
 
 toml::table read_toml(const std::filesystem::path& path) {
   const std::string text = read_small_file(path);
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw Error(path.string(), "is in UTF-16: TOML is in UTF-8, so save it as that");
   constexpr std::size_t max_key_parts = 32;
   if (const auto line = find_deep_key(text, max_key_parts))
     throw Error(path.string(), *line,
@@ -40,8 +42,11 @@ toml::table read_toml(const std::filesystem::path& path) {
       throw Error(path.string(), node->source().begin.line, "a text holds a zero byte");
     return document;
   } catch (const toml::parse_error& error) {
-    throw Error(path.string(), error.source().begin.line,
-                "is not TOML: " + std::string(error.description()));
+    std::string why(error.description());
+    if (why.find("escape sequence") != why.npos)
+      why +=
+          " (of a path, / lies between folders; in 'single quotes' \\ is a character like others)";
+    throw Error(path.string(), error.source().begin.line, "is not TOML: " + why);
   }
 }
 

@@ -271,15 +271,6 @@ BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
   return use_best_levels(own.city, [&] { return Bake(own, folder, progress).run(); });
 }
 
-BakeOptions make_bake_options(const Recipe& recipe) {
-  BakeOptions options = to_bake_options(recipe);
-  if (options.city.files.empty() && recipe.osm.buildings && !options.city.maps.empty()) {
-    options.city.ground.carries_buildings = !options.city.ground.elevation_models.empty();
-    options.city.files = options.city.maps;
-  }
-  return options;
-}
-
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress) {
   return bake(make_bake_options(recipe), folder, progress);

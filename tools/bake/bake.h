@@ -17,10 +17,7 @@ namespace nightcity::bake {
 BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
                 const ProgressSink& progress = {});
 
-/// Returns the options of a recipe's bake. Throws UsageError where its keys contradict each other.
-BakeOptions make_bake_options(const Recipe& recipe);
-
-/// Does the same by a recipe.
+/// Does the same by a recipe. Throws UsageError where its keys contradict each other.
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress = {});
 

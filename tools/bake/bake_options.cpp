@@ -60,4 +60,18 @@ BakeOptions to_bake_options(const Recipe& recipe) {
   return options;
 }
 
+BakeOptions make_bake_options(const Recipe& recipe) {
+  BakeOptions options = to_bake_options(recipe);
+  if (options.city.files.empty() && recipe.osm.buildings && !options.city.maps.empty()) {
+    options.city.ground.carries_buildings = !options.city.ground.elevation_models.empty();
+    options.city.files = options.city.maps;
+  }
+  return options;
+}
+
+BakeOptions make_stage_options(const Recipe& recipe) {
+  return recipe.terrain.elevation_models.empty() ? to_bake_options(recipe)
+                                                 : make_bake_options(recipe);
+}
+
 }  // namespace nightcity::bake

@@ -28,4 +28,11 @@ struct BakeOptions {
 /// Sorts a recipe's settings by the stage that uses them. No stage depends on the recipe itself.
 BakeOptions to_bake_options(const Recipe& recipe);
 
+/// Returns the options of a recipe's bake. Throws UsageError where its keys contradict each other.
+BakeOptions make_bake_options(const Recipe& recipe);
+
+/// Returns those of a command that does a stage by itself: the same, but of a map alone, for which
+/// the recipe has no elevation model. Its lamps and streets then keep the heights of their tags.
+BakeOptions make_stage_options(const Recipe& recipe);
+
 }  // namespace nightcity::bake

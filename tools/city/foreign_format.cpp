@@ -104,9 +104,9 @@ struct Words {
 
 constexpr std::array json_words{
     Words{{"\"osm3s\"", ""},
-          {"is an answer of Overpass in JSON", "ask for XML instead ([out:xml])"}},
+          {"is an answer of Overpass in JSON", "a map belongs in [osm] files"}},
     Words{{"\"elements\"", "\"generator\""},
-          {"is OpenStreetMap's data in JSON", "ask for XML instead ([out:xml] of Overpass)"}},
+          {"is OpenStreetMap's data in JSON", "a map belongs in [osm] files"}},
     Words{{"\"CityJSONExtension\"", ""},
           {"is an extension of CityJSON, which describes additions to city models and is none"}},
     Words{{"\"Topology\"", "\"arcs\""},

@@ -51,19 +51,23 @@ constexpr std::array pairs{Pair{"lon", "lat"},
                            Pair{"경도", "위도"},
                            Pair{"rechts", "hoch"},
                            Pair{"ost", "nord"},
+                           Pair{"est", "nord"},
+                           Pair{"este", "norte"},
+                           Pair{"ita", "pohjoinen"},
+                           Pair{"itä", "pohjoinen"},
                            Pair{"e", "n"}};
 
 // Words that say more of a coordinate.
-constexpr std::array<string_view, 45> qualifiers{
-    "coordinates", "coordinate", "coordenadas", "coordenada",  "coordonnees",
-    "coordonnee",  "coordinata", "coord",       "koordinaten", "koordinate",
-    "koordinat",   "koord",      "geographic",  "geometry",    "geom",
-    "geo",         "gps",        "wgs84",       "wgs",         "etrs89",
-    "utm",         "epsg",       "decimal",     "dec",         "degrees",
-    "degree",      "deg",        "dd",          "°",           "position",
-    "pos",         "point",      "location",    "loc",         "centroid",
-    "center",      "centre",     "map",         "grid",        "gis",
-    "lv95",        "2d",         "coords",      "xy",          "m"};
+constexpr std::array<string_view, 54> qualifiers{
+    "coordinates", "coordinate", "coordenadas", "coordenada", "coordonnees", "coordonnee",
+    "coordinata",  "coord",      "koordinaten", "koordinate", "koordinat",   "koord",
+    "geographic",  "geometry",   "geom",        "geo",        "gps",         "wgs84",
+    "wgs",         "etrs89",     "utm",         "epsg",       "decimal",     "dec",
+    "degrees",     "degree",     "deg",         "dd",         "°",           "position",
+    "pos",         "point",      "location",    "loc",        "centroid",    "center",
+    "centre",      "map",        "grid",        "gis",        "lv95",        "2d",
+    "coords",      "xy",         "m",           "rd",         "lambert",     "lamb",
+    "l93",         "jtsk",       "tm35fin",     "sweref99",   "puwg",        "gk"};
 
 // Each place where words may end is looked at once, however many ways lead there.
 bool are_qualifiers(string_view text) {

@@ -17,8 +17,8 @@ namespace {
 
 using std::string_view;
 
-// Names of columns in inventories of open portals, in lower case and without other characters, best
-// first.
+// Names of columns in inventories of open portals, in lower case and without blanks, signs and
+// units, best first.
 struct Guess {
   string_view property;
   std::initializer_list<string_view> names;
@@ -28,17 +28,53 @@ const std::array<Guess, 12> guesses{{
      {"poleid", "lampid", "lightid", "assetid", "unitid", "globalid", "objectid", "id", "gid",
       "fid"}},
     {"height",
-     {"mountingheight", "mountht", "mountheight", "lampheight", "poleheight", "lichtpunkthoehe",
-      "lph", "height", "hoehe", "hgt"}},
-    {"lumens", {"lumens", "lumen", "luminousflux", "lightflux", "flux", "lichtstrom"}},
+     {"mountingheight",
+      "mountht",
+      "mountheight",
+      "lampheight",
+      "poleheight",
+      "lichtpunkthoehe",
+      "lichtpunkthöhe",
+      "lph",
+      "height",
+      "hoehe",
+      "höhe",
+      "hgt",
+      "hauteurfeu",
+      "hauteur",
+      "lichtpunthoogte",
+      "lichtmasthoogte",
+      "masthoogte",
+      "hoogte",
+      "altura",
+      "altezza",
+      "hojd",
+      "höjd",
+      "hojde",
+      "højde",
+      "høyde",
+      "wysokosc",
+      "wysokość",
+      "vyska",
+      "výška",
+      "korkeus",
+      "korgus",
+      "kõrgus"}},
+    {"lumens",
+     {"lumens", "lumen", "luminousflux", "lightflux", "flux", "lichtstrom", "lichtstroom",
+      "fluxlumineux", "flujoluminoso", "flussoluminoso"}},
     {"watts",
-     {"wattage", "watts", "watt", "lampwattage", "lampwatts", "lampwatt", "leistung", "power"}},
+     {"wattage", "watts", "watt", "lampwattage", "lampwatts", "lampwatt", "leistung", "power",
+      "puissance", "potencia", "potenza", "vermogen", "effekt", "teho", "prikon", "příkon", "moc",
+      "voimsus", "võimsus"}},
     {"kelvin",
      {"kelvin", "cct", "colortemp", "colourtemp", "colortemperature", "colourtemperature",
-      "farbtemperatur"}},
+      "farbtemperatur", "temperaturecouleur", "temperaturacolor", "temperaturacolore",
+      "kleurtemperatuur", "fargetemperatur", "färgtemperatur"}},
     {"type",
      {"lamptype", "lighttype", "lightsource", "lampsource", "bulbtype", "leuchtmittel",
-      "technology", "lamp"}},
+      "technology", "lamp", "typelampe", "tipolampara", "tipolámpara", "tipolampada",
+      "lampputyyppi", "lamptyp", "lampentyp", "typlampy"}},
     {"mount", {"mounttype", "mounting", "poletype", "masttype", "mastart"}},
     {"direction", {"azimuth", "bearing", "direction", "orientation"}},
     {"count",
@@ -51,17 +87,26 @@ const std::array<Guess, 12> guesses{{
 std::string simplify(string_view name) {
   std::string out;
   for (const char c : to_lower(name))
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) out += c;
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80)
+      out += c;
   return out;
 }
 
 constexpr const char* shapefile = "ESRI Shapefile";
+
+// Returns whether the text is that of a unit: MOUNT_HT_FT.
+bool is_unit(string_view text) {
+  constexpr std::array<string_view, 9> units{"m", "meter", "ft", "feet", "cm",
+                                             "w", "watt",  "lm", "k"};
+  return std::find(units.begin(), units.end(), text) != units.end();
+}
 
 // Returns whether a column has that name; a Shapefile cuts "mounting_height" to "mounting_h".
 bool is_named(const std::string& column, string_view name, bool in_shapefile) {
   constexpr std::size_t longest = 10, least_letters = 8;
   // Without the unit of "Mounting height (ft)".
   const std::string simple = simplify(string_view(column).substr(0, column.find_first_of("([")));
+  if (simple.starts_with(name) && is_unit(string_view(simple).substr(name.size()))) return true;
   return simple == name || (in_shapefile && column.size() == longest &&
                             simple.size() >= least_letters && name.starts_with(simple));
 }
@@ -98,12 +143,20 @@ bool holds_points(OGRLayer& layer, const InventoryFile& inventory) {
 
 // Words for lamps and lighting in the languages of open portals.
 bool is_name_of_lamps(string_view text) {
-  constexpr std::array<string_view, 14> words{"lamp",      "light",    "lumin",  "leucht", "licht",
-                                              "clairage",  "lantern",  "latern", "latarn", "farol",
-                                              "belysning", "valaisin", "osvetl", "oswietl"};
+  constexpr std::array<string_view, 40> words{
+      "lamp",     "light",    "lumin",    "leucht",    "licht",    "clairage", "lantern",
+      "latern",   "latarn",   "farol",    "belysning", "valaisin", "osvetl",   "oswietl",
+      "alumbrad", "candelab", "reverber", "réverbèr",  "osvětlen", "oświetl",  "svetil",
+      "rasvjet",  "rasvet",   "valgusti", "apsviet",   "apgaism",  "vilagit",  "világít",
+      "aydinlat", "aydınlat", "gatelys",  "gadelys",   "освещ",    "фонар",    "светил",
+      "φωτισμ",   "照明",     "路灯",     "街灯",      "가로등"};
+  // Traffic lights and highlights hold some of these words, too.
+  constexpr std::array<string_view, 7> others{"signal",     "traffic", "verkeersli", "lightning",
+                                              "lighthouse", "flight",  "highlight"};
   const std::string name = to_lower(text);
-  return std::any_of(words.begin(), words.end(),
-                     [&](string_view word) { return name.find(word) != std::string::npos; });
+  const auto holds = [&](string_view word) { return name.find(word) != std::string::npos; };
+  return std::any_of(words.begin(), words.end(), holds) &&
+         std::none_of(others.begin(), others.end(), holds);
 }
 
 // Rates how well a layer's name and columns speak of lamps.

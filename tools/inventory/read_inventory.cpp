@@ -195,9 +195,10 @@ class Reader {
       throw Error(file_.file.string(), "has no lamp: it has rows " +
                                            result_.report.skipped.begin()->first +
                                            "; a table of lamps has a point in each row");
-    throw Error(file_.file.string(),
-                "has no row with a point in its CRS: say the CRS by crs in [[lamps.inventories]] "
-                "where it is not the one that the file names");
+    throw OutsideCrs(
+        file_.file.string(),
+        "has no row with a point in its CRS: say the CRS by crs in [[lamps.inventories]] "
+        "where it is not the one that the file names");
   }
 
   static std::optional<double> number_of(const osm::OsmTags& tags, const char* key) {

@@ -11,6 +11,11 @@
 
 namespace nightcity::inventory {
 
+/// Thrown where all rows with a place lie outside of what their CRS can mean.
+struct OutsideCrs : Error {
+  using Error::Error;
+};
+
 struct InventoryReport {
   std::string file, format;  // its name; "GeoJSON"
   std::size_t rows = 0;
@@ -32,7 +37,7 @@ struct Inventory {
 
 /// Each row with a point is a post; those at the same place are luminaires of one post, whose
 /// lumens and watts are the mean of theirs. Throws Error: as open_vector_file, no CRS, a column is
-/// absent, more rows than max_lamps, no row with a place.
+/// absent, more rows than max_lamps, no row with a place; OutsideCrs.
 Inventory read_inventory(const InventoryFile& file);
 
 }  // namespace nightcity::inventory

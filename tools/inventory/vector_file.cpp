@@ -25,6 +25,7 @@
 #include "tools/inventory/packed_table.h"
 #include "tools/inventory/table_text.h"
 #include "tools/inventory/text_places.h"
+#include "tools/osm/osm_json.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -68,7 +69,8 @@ std::string explain_unread(const std::string& path, const std::string& said,
   if (!what.empty()) return "it " + what + remedy;
   if (start.substr(0, 4).find('\0') != start.npos)
     return "it is no text in UTF-8: save it so, or in UTF-16 with a mark of byte order";
-  return "its content is none of these; a CSV has the ending .csv or .tsv, and commas, semicolons, "
+  return "its content is none of these; a CSV has the ending .csv, .tsv or .txt, and commas, "
+         "semicolons, "
          "tabs or bars between its columns";
 }
 
@@ -99,15 +101,15 @@ void put_into_memory(const InventoryFile& inventory, VectorFile& out) {
   std::vector<MemoryFile> files = unpack_table(file);
   if (files.empty()) {
     const bool is_wide = city::begins_as_utf16(start) || city::begins_as_utf32(start);
-    const bool is_csv = is_named_as_csv(out.path);
+    const bool is_csv = is_named_as_csv(out.path), is_text = to_lower(out.path).ends_with(".txt");
     const auto has_odd_head = [&] {
       return find_csv_head(start, inventory).above > 0 ||
              !find_csv_encoding(start, inventory).empty();
     };
-    if (!is_wide && !(is_csv && (is_odd_csv(start) || has_odd_head()))) return;
+    if (!is_wide && !is_text && !(is_csv && (is_odd_csv(start) || has_odd_head()))) return;
     const std::array<std::string_view, 1> endings{""};
     files.push_back(
-        {file.filename().string(),
+        {is_text ? file.stem().string() + ".csv" : file.filename().string(),
          read_whole(city::list_documents(file, endings).front(),
                     "save it in UTF-8, with commas and its headings in the first line")});
   }
@@ -232,6 +234,8 @@ VectorFile open_vector_file(const InventoryFile& inventory) {
   if (out.dataset) out.format = out.dataset->GetDriver()->GetDescription();
   if (out.format == "GeoJSON") out.crs = find_odd_crs(out.path);
   if (out.dataset && !is_empty_json(out)) return out;
+  if (osm::begins_as_osm_json(start))
+    throw NoTable(inventory.file.string(), "is a map (OSM) in JSON: name it in [osm] files");
   std::string why;
   if (begins_as_loose_json(start)) why = open_json(inventory, out);
   if (out.dataset) return out;

@@ -12,7 +12,7 @@
 #include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
-#include "tools/bake/bake_options.h"
+#include "tools/bake/bake.h"
 #include "tools/bake/city/city.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
@@ -42,7 +42,7 @@ struct Outcome {
 };
 
 bake::BakeOptions read_options(const ElevateArguments& arguments) {
-  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
+  bake::BakeOptions options = bake::make_stage_options(bake::read_inputs(arguments.inputs));
   if (options.city.maps.size() != 1)
     throw UsageError(options.city.name(),
                      "give exactly one OSM file: its lamps get heights and it is written anew");

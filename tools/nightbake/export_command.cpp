@@ -31,6 +31,10 @@ struct ExportArguments {
 std::filesystem::path find_file(const std::filesystem::path& scene, const char* name) {
   std::error_code error;
   if (std::filesystem::is_directory(scene, error)) return scene / name;
+  const std::string ending = to_lower(scene.extension().string());
+  if (ending != ".glb" && ending != ".gltf" && ending != ".lights")
+    throw Error(scene.string(),
+                "is no scene: name the folder of a bake, or the city.glb or city.lights in it");
   return scene.extension() == std::filesystem::path(name).extension() ? scene
                                                                       : scene.parent_path() / name;
 }

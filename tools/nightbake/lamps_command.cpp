@@ -6,13 +6,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "formats/error.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "formats/to_lower.h"
-#include "tools/bake/bake_options.h"
+#include "tools/bake/bake.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/layout_report.h"
@@ -32,7 +33,7 @@ struct LampsArguments {
 };
 
 bake::BakeOptions read_options(const LampsArguments& arguments) {
-  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
+  bake::BakeOptions options = bake::make_stage_options(bake::read_inputs(arguments.inputs));
   if (options.city.maps.empty() && options.city.inventories.empty())
     throw UsageError(options.city.name(),
                      "neither a map nor an inventory among the inputs: lamps come from these");
@@ -75,6 +76,12 @@ void run(const LampsArguments& arguments) {
   if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
     throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
   bake::BakeOptions options = read_options(arguments);
+  // A map that held no more than its lamps would stand in its own place.
+  std::error_code ignored;
+  for (const std::filesystem::path& map : options.city.maps)
+    if (std::filesystem::equivalent(map, arguments.out, ignored))
+      throw UsageError(arguments.out.string(),
+                       "is one of the inputs, and would hold its lamps alone: name another file");
   bake::use_best_levels(options.city, [&] { place_lamps(options, arguments); });
 }
 
@@ -88,8 +95,8 @@ void add_lamps_command(CLI::App& app) {
   command
       ->add_option(
           "input", arguments->inputs,
-          "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2), with a city model for the ground, or a "
-          "recipe (TOML)")
+          "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2, .json), with a city model for the ground, "
+          "or a recipe (TOML)")
       ->required();
   program::add_output_option(
       *command, arguments->out,

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "formats/program/print_json.h"
-#include "tools/bake/bake_options.h"
+#include "tools/bake/bake.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/report/layout_report.h"
@@ -52,7 +52,7 @@ void lay_out(const bake::BakeOptions& options, const LayoutArguments& arguments)
 }
 
 void run(const LayoutArguments& arguments) {
-  bake::BakeOptions options = bake::to_bake_options(bake::read_recipe(arguments.recipe));
+  bake::BakeOptions options = bake::make_stage_options(bake::read_recipe(arguments.recipe));
   bake::use_best_levels(options.city, [&] { lay_out(options, arguments); });
 }
 

@@ -47,6 +47,9 @@ void print_plan(const survey::Plan& plan) {
 void write_new_recipe(const NewArguments& arguments) {
   const std::filesystem::path recipe = arguments.folder / "recipe.toml";
   std::error_code error;
+  if (std::filesystem::is_regular_file(arguments.folder, error))
+    throw UsageError(arguments.folder.string(),
+                     "is a file: name the folder of the recipe first, and then the files");
   if (std::filesystem::exists(recipe, error) && !arguments.force)
     throw UsageError(recipe.string(), "is there already: --force replaces it");
   const auto files = survey::survey_files(arguments.files);

@@ -14,7 +14,7 @@
 #include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
-#include "tools/bake/bake_options.h"
+#include "tools/bake/bake.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/read_inputs.h"
@@ -73,7 +73,7 @@ void make_traffic(const bake::BakeOptions& options, const TrafficArguments& argu
 }
 
 void run(const TrafficArguments& arguments) {
-  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
+  bake::BakeOptions options = bake::make_stage_options(bake::read_inputs(arguments.inputs));
   if (arguments.vehicles) options.traffic.vehicles = arguments.vehicles;
   bake::use_best_levels(options.city, [&] { make_traffic(options, arguments); });
 }

@@ -14,7 +14,7 @@
 #include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
-#include "tools/bake/bake_options.h"
+#include "tools/bake/bake.h"
 #include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
@@ -35,7 +35,10 @@ struct WindowsArguments {
 };
 
 bake::LightsReport write_windows(const WindowsArguments& arguments) {
-  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
+  // The buildings of a map are the city where a recipe names no other.
+  const bake::Recipe recipe = bake::read_inputs(arguments.inputs);
+  bake::BakeOptions options =
+      recipe.path.empty() ? bake::to_bake_options(recipe) : bake::make_bake_options(recipe);
   if (options.city.files.empty())
     throw UsageError(options.city.name(), "no city model among the inputs: windows are on walls");
   if (arguments.seed_given) options.windows.seed = arguments.seed;

@@ -1,5 +1,6 @@
 #include "tools/osm/map_file.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -7,26 +8,30 @@
 #include "tools/city/byte_source.h"
 #include "tools/city/file_stamp.h"
 #include "tools/city/zip_archive.h"
+#include "tools/osm/osm_json.h"
 #include "tools/osm/read_osm.h"
 
 namespace nightcity::osm {
 namespace {
 
-constexpr std::array<std::string_view, 5> entry_endings{".osm", ".pbf", ".o5m", ".osm.bz2", ".xml"};
+constexpr std::array<std::string_view, 6> entry_endings{".osm",     ".pbf", ".o5m",
+                                                        ".osm.bz2", ".xml", ".json"};
 
 struct UnpackedMap {
   std::string name;
   std::shared_ptr<ScratchFile> bytes;
 };
 
-// Metadata lies beside maps as XML, and so do maps themselves.
+constexpr std::size_t start_bytes = 1024;
+
+// Metadata lies beside maps as XML and JSON, and so do maps themselves.
 city::Document find_map(const std::filesystem::path& file) {
-  constexpr std::size_t start = 1024;
   std::vector<city::Document> maps;
   for (city::Document& document : city::list_documents(file, entry_endings))
-    if (!document.name.ends_with(".xml") || begins_as_osm(city::read_start(document, start)))
+    if (!(document.name.ends_with(".xml") || document.name.ends_with(".json")) ||
+        begins_as_osm(city::read_start(document, start_bytes)))
       maps.push_back(std::move(document));
-  if (maps.empty()) throw Error(file.string(), "the archive holds XML, but no map");
+  if (maps.empty()) throw Error(file.string(), "the archive holds XML or JSON, but no map");
   if (maps.size() == 1) return std::move(maps.front());
   throw Error(file.string(), "the archive holds " + std::to_string(maps.size()) + " maps (" +
                                  maps[0].name.substr(file.string().size() + 1) + ", " +
@@ -35,10 +40,17 @@ city::Document find_map(const std::filesystem::path& file) {
                                  "): unpack it and name those that are wanted");
 }
 
-UnpackedMap unpack_map(const std::filesystem::path& file) {
+bool is_json(const city::Document& document) {
+  return begins_as_osm_json(city::read_start(document, start_bytes));
+}
+
+UnpackedMap unpack_map(const city::Document& document) {
   constexpr std::size_t block = std::size_t{1} << 16;
-  const city::Document document = find_map(file);
   auto bytes = std::make_shared<ScratchFile>(scratch_folder() / "map");
+  if (is_json(document)) {
+    write_as_xml(document, *bytes);
+    return {document.name, std::move(bytes)};
+  }
   const auto source = document.open_as_it_is();
   std::vector<char> some(block);
   for (std::size_t got; (got = source->read(some.data(), some.size())) > 0;)
@@ -47,13 +59,29 @@ UnpackedMap unpack_map(const std::filesystem::path& file) {
   return {document.name, std::move(bytes)};
 }
 
+// Returns the document of a file that is one in JSON, maybe gzipped.
+std::optional<city::Document> find_json(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored) ||
+      std::filesystem::file_size(file, ignored) == 0)
+    return std::nullopt;
+  city::Document document = city::list_documents(file, entry_endings).front();
+  try {
+    if (is_json(document)) return document;
+  } catch (const Error&) {  // broken, as its reader says
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 MapFile::MapFile(const std::filesystem::path& file) : path_(file), name_(file.string()) {
-  if (!city::is_zip(file)) return;
   static city::LastOfFiles<UnpackedMap> last;
+  std::optional<city::Document> json;
+  if (!city::is_zip(file) && !(json = find_json(file))) return;
   const UnpackedMap map = last.find(
-      file, [&] { return unpack_map(file); }, [](const UnpackedMap&) { return true; });
+      file, [&] { return unpack_map(json ? *json : find_map(file)); },
+      [](const UnpackedMap&) { return true; });
   unpacked_ = map.bytes;
   name_ = map.name;
   path_ = unpacked_->path_while_open();

@@ -1,4 +1,5 @@
-// A map in a zip archive, as sites of extracts and mail programs pack it.
+// Maps that are read by another file: in a zip archive, as sites of extracts and mail programs pack
+// them, and in JSON.
 #pragma once
 
 #include <array>
@@ -12,12 +13,13 @@
 
 namespace nightcity::osm {
 
-/// A map where the readers of this folder find it: where it lies, or unpacked of the archive that
-/// holds it into a file without a name.
+/// A map where the readers of this folder find it: where it lies, or in a file without a name, to
+/// which it was unpacked from an archive, or translated from JSON to XML.
 class MapFile {
  public:
-  /// Throws Error where `file` is a zip archive that holds no map or several, or is broken. Other
-  /// files are not looked at. What was unpacked last is kept, as a bake reads a map several times.
+  /// Throws Error where `file` is a zip archive that holds no map or several, or is broken, or is
+  /// broken JSON. Of other files the beginning is looked at. What was unpacked last is kept, as a
+  /// bake reads a map several times.
   explicit MapFile(const std::filesystem::path& file);
 
   /// Returns the path to read from, as long as this object is there.

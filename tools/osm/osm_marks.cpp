@@ -57,8 +57,6 @@ std::string describe_unread_osm(string_view start) {
     return "is a change file (osmChange), not a map: apply it to one by `osmium apply-changes`";
   if (holds("<!doctype html") || holds("<html"))
     return "is a web page, not a map: the download failed, or its address needs a login";
-  if (text[first] == '{' && (holds("\"osm3s\"") || (holds("\"generator\"") && holds("overpass"))))
-    return "is an answer of Overpass in JSON: ask for XML by [out:xml] and `out meta geom;`";
   if (text.starts_with("@id") || text.starts_with("@type"))
     return "is an answer of Overpass in CSV: ask for XML by [out:xml] and `out meta geom;`";
   return {};

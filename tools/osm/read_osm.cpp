@@ -7,6 +7,7 @@
 
 #include "formats/error.h"
 #include "tools/osm/map_file.h"
+#include "tools/osm/osm_json.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/osm_parsers.h"
 
@@ -18,6 +19,8 @@ constexpr std::size_t mark_bytes = 1024;
 std::string read_mark(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw Error(file.string(), "no such file");
+  if (std::filesystem::is_directory(file, error))
+    throw Error(file.string(), "is a folder, not a file: name the maps in it");
   if (!std::filesystem::is_regular_file(file, error)) throw Error(file.string(), "not a file");
   std::ifstream stream(file, std::ios::binary);
   std::array<char, mark_bytes> bytes{};
@@ -47,7 +50,8 @@ bool begins_as_osm(std::string_view start) {
   const auto holds = [start](std::string_view text) {
     return start.find(text) != std::string_view::npos;
   };
-  return is_osm_pbf(start) || is_o5m(start) || is_bzip2(start) || holds("<osm ") || holds("<osm>");
+  return is_osm_pbf(start) || is_o5m(start) || is_bzip2(start) || holds("<osm ") ||
+         holds("<osm>") || begins_as_osm_json(start);
 }
 
 OsmData read_osm(std::span<const std::filesystem::path> files, std::size_t max_way_nodes) {

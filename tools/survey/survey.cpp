@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/text_encoding.h"
 #include "tools/georeference/frame.h"
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/file_format.h"
@@ -20,6 +20,7 @@
 #include "tools/inventory/read_inventory.h"
 #include "tools/lights/luminaire.h"
 #include "tools/osm/read_osm.h"
+#include "tools/survey/place_tables.h"
 #include "tools/terrain/open_models.h"
 #include "tools/terrain/packed_rasters.h"
 
@@ -29,9 +30,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Endings of files that belong to others.
-constexpr std::array<std::string_view, 21> companion_endings{
-    ".mtl", ".png", ".jpg", ".jpeg", ".dbf", ".shx", ".prj",  ".cpg", ".qix", ".qmd", ".sbn",
-    ".sbx", ".tfw", ".aux", ".txt",  ".md",  ".pdf", ".toml", ".xsd", ".bin", ".ktx2"};
+constexpr std::array<std::string_view, 20> companion_endings{
+    ".mtl", ".png", ".jpg", ".jpeg", ".dbf", ".shx", ".prj",  ".cpg", ".qix", ".qmd",
+    ".sbn", ".sbx", ".tfw", ".aux",  ".md",  ".pdf", ".toml", ".xsd", ".bin", ".ktx2"};
 
 bool is_companion(const fs::path& file) {
   const std::string ending = to_lower(file.extension().string());
@@ -62,6 +63,7 @@ void look_at_city(SurveyedFile& file, const std::string& format) {
     file.has_crs = frame.has_lon_lat();
     file.what += file.has_crs ? ", " + frame.description() : ", names no CRS";
     if (!file.has_crs) return;
+    file.crs = frame.crs();
     std::vector<glm::dvec3> places = head.sample;
     frame.to_projected(places);
     for (const glm::dvec3& p : places) file.box.add(frame.to_lon_lat(glm::dvec2(p)));
@@ -93,6 +95,13 @@ void look_at_table(SurveyedFile& file) {
     file.what = look.format + " without points: a table of lamps has a point in each row";
     return;
   }
+  const auto has = [&](const char* column) {
+    return std::find(look.columns.begin(), look.columns.end(), column) != look.columns.end();
+  };
+  if (has("position_from") && has("flux_from")) {
+    file.what = "lights of a finished scene (nightbake export), not what one is made from";
+    return;
+  }
   inventory::InventoryFile guess = inventory::guess_inventory(file.path, look);
   guess.layer = look.layer;
   file.what = fmt::format("{}, {} points, columns", look.format, look.rows);
@@ -100,7 +109,7 @@ void look_at_table(SurveyedFile& file) {
   file.has_crs = !look.crs.empty();
   if (!file.has_crs) {
     guess.crs = "EPSG:4326";
-    file.what += "; names no CRS: longitude and latitude are assumed";
+    file.what += std::string("; names no CRS: ") + assumed_degrees;
   }
   // Trees and benches are points too.
   if (!look.speaks_of_lamps) {
@@ -109,11 +118,13 @@ void look_at_table(SurveyedFile& file) {
         "[[lamps.inventories]]";
     return;
   }
-  const inventory::Inventory read = inventory::read_inventory(guess);
-  for (const osm::OsmLampNode& lamp : read.lamps) file.box.add(lamp.lon_lat);
-  file.use = Use::inventory;
-  file.lamps = read.lamps.size();
   file.inventory = std::move(guess);
+  try {
+    read_lamps(file);
+  } catch (const inventory::OutsideCrs&) {
+    if (file.has_crs) throw;  // else it waits for place_tables()
+  }
+  file.use = Use::inventory;
 }
 
 void look_at_raster(SurveyedFile& file) {
@@ -122,6 +133,7 @@ void look_at_raster(SurveyedFile& file) {
   const auto has_crs = [](const terrain::ElevationModel& model) { return model.has_crs(); };
   file.use = Use::elevation;
   file.has_crs = std::all_of(models.begin(), models.end(), has_crs);
+  file.crs = models.front().crs();
   file.what = models.size() == 1 ? "raster of heights"
                                  : fmt::format("{} rasters of heights", models.size());
   file.what +=
@@ -136,13 +148,34 @@ void look_at_luminaire(SurveyedFile& file, const std::string& format) {
   file.what = fmt::format("{}, photometry of a luminaire of {:.0f} lm", format, luminaire.flux_lm);
 }
 
+// Tells what else an archive holds that a recipe could name: of its kinds one is read.
+void tell_unread(SurveyedFile& file, inputs::FileKind read) {
+  constexpr std::array<std::string_view, 17> useful{
+      ".csv", ".tsv", ".geojson", ".json", ".shp", ".gpkg", ".fgb", ".tif", ".tiff",
+      ".asc", ".xyz", ".pbf",     ".osm",  ".ies", ".ldt",  ".gml", ".obj"};
+  const city::FileContents contents = inputs::list_readable(file.path);
+  std::string unread;
+  const auto add = [&](const std::string& what) { unread += (unread.empty() ? "" : ", ") + what; };
+  for (const city::Document& document : contents.documents) {
+    const inputs::FileFormat* format = inputs::find_format(document);
+    if (format && format->kind != read)
+      add(fs::path(document.name).filename().string() + " (" + format->name + ")");
+  }
+  for (const auto& [ending, count] : contents.others)
+    if (std::find(useful.begin(), useful.end(), ending) != useful.end())
+      add(fmt::format("{} {}", count, ending));
+  if (!unread.empty()) file.what += "; unpack it for what else it holds: " + unread;
+}
+
 void look_at_format(SurveyedFile& file) {
   const inputs::FileFormat& format = inputs::find_format(file.path);
   switch (format.kind) {
     case inputs::FileKind::city:
-      return look_at_city(file, format.name);
+      look_at_city(file, format.name);
+      return tell_unread(file, format.kind);
     case inputs::FileKind::osm:
-      return look_at_map(file);
+      look_at_map(file);
+      return tell_unread(file, format.kind);
     case inputs::FileKind::luminaire:
       return look_at_luminaire(file, format.name);
     case inputs::FileKind::scene:
@@ -181,7 +214,20 @@ SurveyedFile look_at(const fs::path& path) {
     file.use = Use::companion;
     return file;
   }
+  if (city::to_valid_utf8(path.string()) != path.string()) {
+    file.what = "its name is not in UTF-8, as a recipe is: rename it";
+    return file;
+  }
   if (attempt(look_at_format)) return file;
+  // Texts are heights, a table or, mostly, words for a reader.
+  if (to_lower(path.extension().string()) == ".txt") {
+    if (attempt(look_at_raster) || (attempt(look_at_table) && file.use == Use::inventory))
+      return file;
+    file = {};
+    file.path = path;
+    file.use = Use::companion;
+    return file;
+  }
   // An archive of an elevation model may hold a table of its tiles, too.
   if (is_archive_of_rasters(path)) {
     const std::string as_other = std::exchange(why, {});
@@ -197,17 +243,17 @@ SurveyedFile look_at(const fs::path& path) {
                                                            ".gz",   ".zip",   ".shz"};
     if (!is_table && city::ends_with_any(to_lower(path.string()), of_all_kinds)) why = as_other;
   }
-  if (attempt(look_at_raster)) return file;
+  try {
+    look_at_raster(file);
+    return file;
+  } catch (const terrain::NoRaster&) {  // it has been said what it is
+  } catch (const Error& error) {        // a raster that holds no heights, unless it is a table
+    if (why.empty() || !inventory::is_named_as_table(path)) why = error.what();
+  }
   file.use = Use::nothing;
   const std::string prefix = path.string() + ": ";
   file.what = why.starts_with(prefix) ? why.substr(prefix.size()) : why;
   return file;
-}
-
-// Returns the whole turns, in degrees, by which `longitude` is to be lowered to come next to
-// another.
-double turns_between(double other, double longitude) {
-  return 360 * std::round((longitude - other) / 360);
 }
 
 bool is_hidden(const fs::path& path) {
@@ -234,27 +280,12 @@ void list_files(const fs::path& path, std::set<fs::path>& files) {
 
 }  // namespace
 
-void Box::add(glm::dvec2 lon_lat) {
-  if (!std::isfinite(lon_lat.x) || !std::isfinite(lon_lat.y)) return;
-  if (!empty()) lon_lat.x -= turns_between(least.x, lon_lat.x);
-  least = glm::min(least, lon_lat);
-  greatest = glm::max(greatest, lon_lat);
-}
-
-bool Box::is_near(const Box& other, double degrees) const {
-  if (empty() || other.empty()) return false;
-  const double middle = (other.least.x + other.greatest.x) / 2;
-  const double turns = turns_between((least.x + greatest.x) / 2, middle);
-  return least.x - degrees <= other.greatest.x - turns &&
-         other.least.x - turns - degrees <= greatest.x && least.y - degrees <= other.greatest.y &&
-         other.least.y - degrees <= greatest.y;
-}
-
 std::vector<SurveyedFile> survey_files(const std::vector<fs::path>& paths) {
   std::set<fs::path> files;
-  for (const fs::path& path : paths) list_files(path, files);
+  for (const fs::path& path : paths) list_files(path.lexically_normal(), files);
   std::vector<SurveyedFile> result;
   for (const fs::path& file : files) result.push_back(look_at(file));
+  place_tables(result);
   return result;
 }
 

@@ -41,7 +41,7 @@ struct ElevationModel::State {
   bool in_degrees = false;
   double resolution = 0, scale = 1, offset = 0, no_data = nothing;
   double unit = 1;  // metres in the unit of heights; negative where they are depths
-  std::string assumption;
+  std::string crs, assumption;
   std::unique_ptr<OGRCoordinateTransformation> transformation;
 
   // Returns pixel coordinates; (0, 0) is the first pixel's centre.
@@ -151,6 +151,8 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
                                ? known->Clone()
                                : OGRCreateCoordinateTransformation(&wgs84, &raster));
     if (!s.transformation) throw Error(s.name, "its CRS cannot be used: " + gdal::find_reason());
+    if (const char* code = crs->GetAuthorityCode(nullptr))
+      s.crs = std::string(crs->GetAuthorityName(nullptr)) + ":" + code;
     constexpr double degree_m = 111'320;
     s.in_degrees = raster.IsGeographic();
     unit_m = raster.IsGeographic() ? degree_m : raster.GetLinearUnits();
@@ -169,6 +171,10 @@ const std::string& ElevationModel::name() const {
 
 bool ElevationModel::has_crs() const {
   return state_->transformation != nullptr;
+}
+
+const std::string& ElevationModel::crs() const {
+  return state_->crs;
 }
 
 const std::string& ElevationModel::assumption() const {

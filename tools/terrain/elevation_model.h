@@ -52,6 +52,8 @@ class ElevationModel {
   /// Returns whether the raster names a CRS. Without one, its coordinates are taken to be the
   /// caller's.
   bool has_crs() const;
+  /// Returns its name where it has one in a register: "EPSG:25833"; else "".
+  const std::string& crs() const;
   /// Returns what is assumed about the heights and may be wrong, for a report: that they are metres
   /// where the CRS counts feet in the plan and names no unit of heights, or where pixels are bytes,
   /// as pictures have them. Else "".

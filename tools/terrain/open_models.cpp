@@ -13,13 +13,12 @@ namespace {
 // Puts models that are clearly finer before others. Tiles of one survey in two CRSs are not equally
 // fine to the last digit, and keep their order.
 void put_finest_first(std::vector<ElevationModel>& models) {
-  constexpr double clearly = 1.5;
   std::vector<double> steps;
   for (const ElevationModel& model : models) steps.push_back(model.resolution_m());
   std::sort(steps.begin(), steps.end());
   std::vector<double> classes;  // the finest of each
   for (const double step : steps)
-    if (classes.empty() || step > clearly * classes.back()) classes.push_back(step);
+    if (classes.empty() || step > clearly_coarser * classes.back()) classes.push_back(step);
   const auto class_of = [&](const ElevationModel& model) {
     return std::upper_bound(classes.begin(), classes.end(), model.resolution_m());
   };

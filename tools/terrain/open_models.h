@@ -16,6 +16,9 @@ struct ElevationOptions {
   std::string crs_without;  // the CRS of rasters that name none; "": they stay without
 };
 
+/// Models whose heights are farther apart than by this factor are clearly coarser, and come later.
+constexpr double clearly_coarser = 1.5;
+
 /// Opens rasters of heights: of a .zip all that are in it, with what belongs to them (.tfw, .prj,
 /// .hdr, ...), of a .gz the one. They are unpacked into the temporary folder. Those that are
 /// clearly finer come before others, else they have the order of the files. What an archive holds

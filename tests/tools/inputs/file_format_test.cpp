@@ -63,13 +63,15 @@ TEST(FileFormat, ARemedyThatLeadsToAModelIsForWhoWantsOne) {
   EXPECT_EQ(explain_foreign("<?xml version=\"1.0\"?><IESTM33-22><Version/></IESTM33-22>", ""),
             "is photometry in TM-33: it belongs in [[lamps.luminaires]]");
   EXPECT_EQ(explain_foreign("{\"version\":\"0.6\",\"generator\":\"CGImap\",\"elements\":[]}", ""),
-            "is OpenStreetMap's data in JSON: ask for XML instead ([out:xml] of Overpass)");
+            "is OpenStreetMap's data in JSON: a map belongs in [osm] files");
   // A name that holds the word is no remedy.
   EXPECT_EQ(name_foreign("<CityGMLReport a=\"1\"/>", ""),
             "is XML of another kind: its root element is <CityGMLReport>");
 }
 
 TEST(FileFormat, ContentDecidesInPackedFilesToo) {
+  EXPECT_EQ(name_of_format("{\"version\":0.6,\"generator\":\"Overpass\",\"elements\":[]}", ".json"),
+            "OSM");
   EXPECT_EQ(name_of_format(gzipped(city_text), ".osm.gz"), "CityGML");
   EXPECT_EQ(name_of_format(gzipped(osm_text), ".gml.gz"), "OSM");
   EXPECT_EQ(name_of_format("BZh91AY", ".bz2"), "OSM");
@@ -226,8 +228,6 @@ TEST(FileFormat, WhatAFileIsNotIsSaidWithTheRemedy) {
            Case{"PK", ".zip", "no zip archive"},
            Case{"hello", ".zip", "no zip archive"},
            Case{"{\"recipe\": 1}", ".json", "is JSON of another kind"},
-           Case{"{\"version\":0.6,\"generator\":\"Overpass\",\"elements\":[]}", ".json",
-                "[out:xml]"},
            Case{"{\"asset\":{},\"geometricError\":1,\"root\":{}}", ".json", "3D Tiles"},
            Case{"<!DOCTYPE html><html><body/></html>", ".gml", "is a web page"},
            Case{"\n<HTML >", ".xml", "is a web page"},

@@ -361,7 +361,7 @@ TEST_F(OsmFile, WhatIsNoExtractIsNamed) {
       {"\xff\xe0\x04o5c2", "change file"},
       {"<?xml version='1.0'?><osmChange version='0.6'/>", "apply-changes"},
       {"<!DOCTYPE html><html></html>", "web page"},
-      {R"({"version": 0.6, "generator": "Overpass API", "osm3s": {}})", "[out:xml]"},
+      {R"({"version": 0.6, "generator": "Overpass API", "osm3s": {})", "no whole JSON"},
       {"@id\t@lat\t@lon\n", "CSV"},
       {"<osm version='0.6'><action type='create'><node id='1' lat='1' lon='2'/></action></osm>",
        "augmented diff"},

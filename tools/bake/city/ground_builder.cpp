@@ -13,16 +13,15 @@
 #include <utility>
 
 #include "formats/error.h"
-#include "formats/median.h"
 #include "tools/bake/city/ground_heights.h"
 #include "tools/bake/city/map_reach.h"
+#include "tools/bake/city/meet_buildings.h"
 #include "tools/terrain/thin_surface.h"
 
 namespace nightcity::bake {
 namespace {
 
 constexpr double max_quads = 1e6;  // of a ground from an elevation model
-constexpr std::size_t max_feet = 20'000;
 
 // Returns how a surface of an object counts in the terrain; nothing where it does not.
 std::optional<terrain::SurfaceClass> find_surface_class(city::ObjectType type,
@@ -97,37 +96,11 @@ std::set<Tile> widened(const std::set<Tile>& occupied, double tile_m, double mar
   return result;
 }
 
-// Elevation models and city models differ in what their heights count from (geoid, ellipsoid, a
-// national datum) and by the model's own error. The median over the buildings' footprints removes
-// both.
-double shift_to_city(const GroundHeights& heights, const terrain::Terrain& terrain) {
-  const auto& feet = terrain.footprint_points();
-  std::vector<double> differences;
-  const std::size_t stride = std::max<std::size_t>(1, feet.size() / max_feet);
-  std::vector<glm::dvec3> some;
-  for (std::size_t i = 0; i < feet.size(); i += stride) some.push_back(feet[i]);
-  std::sort(some.begin(), some.end(), [](const glm::dvec3& a, const glm::dvec3& b) {
-    return std::make_pair(std::floor(a.x / 500), a.y) < std::make_pair(std::floor(b.x / 500), b.y);
-  });
-  constexpr std::size_t together = 500;  // places that lie together are read together
-  std::vector<glm::dvec2> places;
-  for (std::size_t begin = 0; begin < some.size(); begin += together) {
-    const std::size_t end = std::min(some.size(), begin + together);
-    places.assign(some.begin() + static_cast<std::ptrdiff_t>(begin),
-                  some.begin() + static_cast<std::ptrdiff_t>(end));
-    const std::vector<double> dem = heights.at(places);
-    for (std::size_t i = 0; i < dem.size(); ++i)
-      if (std::isfinite(dem[i])) differences.push_back(some[begin + i].z - dem[i]);
-  }
-  return differences.empty() ? 0 : median(std::move(differences));
-}
-
 // A tile's ground: a regular grid of heights, two triangles a square.
 class GridGround {
  public:
-  GridGround(const GroundHeights& heights, const GroundOptions& options, std::size_t tiles,
-             double shift_m)
-      : heights_(heights), max_error_m_(options.max_error_m), shift_m_(shift_m) {
+  GridGround(const GroundHeights& heights, const GroundOptions& options, std::size_t tiles)
+      : heights_(heights), max_error_m_(options.max_error_m) {
     const double tile_m = options.tile_m;
     const double finest = std::ceil(tile_m / heights.finest_m()),
                  affordable = std::floor(std::sqrt(max_quads / static_cast<double>(tiles)));
@@ -154,7 +127,7 @@ class GridGround {
     const std::vector<bool> loose = straighten_sides(z);
     mesh::TriangleMesh mesh;
     for (std::size_t i = 0; i < places.size(); ++i)
-      mesh.positions.emplace_back(places[i], z[i] + shift_m_);
+      mesh.positions.emplace_back(places[i], z[i]);
     const std::size_t missing_before = missing_;
     for (std::uint32_t j = 0; j < steps_; ++j)
       for (std::uint32_t i = 0; i < steps_; ++i) {
@@ -206,7 +179,7 @@ class GridGround {
 
   const GroundHeights& heights_;
   double max_error_m_;
-  double shift_m_, step_m_ = 0;
+  double step_m_ = 0;
   std::uint32_t steps_ = 1;  // squares along a tile's side
   std::size_t quads_ = 0, missing_ = 0;
   std::size_t thinned_ = 0;  // triangles
@@ -286,10 +259,12 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
 
 std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame,
                                             const ShowGround& show) {
-  const GroundHeights heights(options_, frame);
-  const double shift_m = options_.carries_buildings ? 0 : shift_to_city(heights, terrain_);
+  GroundHeights heights(options_, frame);
+  const std::string meeting = options_.carries_buildings
+                                  ? "the map's buildings stand on it"
+                                  : meet_buildings(heights, terrain_.footprint_points());
   const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
-  GridGround ground(heights, options_, under.size(), shift_m);
+  GridGround ground(heights, options_, under.size());
   for (const Tile& tile : under) {
     const mesh::TriangleMesh mesh = ground.make(tile);
     terrain_.add(mesh, terrain::SurfaceClass::terrain);
@@ -299,9 +274,6 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
     throw Error(options_.elevation_models.front().string(),
                 "no elevation model of the recipe covers any of the city" +
                     (heights.unplaced().empty() ? "" : "; " + heights.unplaced()));
-  const std::string meeting =
-      options_.carries_buildings ? "the map's buildings stand on it"
-                                 : fmt::format("moved by {:+.2f} m to meet the buildings", shift_m);
   const std::string thinned =
       ground.thinned() == 0 ? ""
                             : fmt::format(", {} triangles fewer by max_error_m", ground.thinned());

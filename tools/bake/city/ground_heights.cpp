@@ -32,24 +32,40 @@ GroundHeights::GroundHeights(const GroundOptions& options, const georeference::C
     if (const std::string& said = model.assumption(); !said.empty() && assumed++ < most_named)
       assumptions_ += ", " + said;
     finest_ = std::min(finest_, model.resolution_m());
+    add_to_kind(model.resolution_m());
   }
   if (assumed > most_named)
     assumptions_ += ", and those of " + std::to_string(assumed - most_named) + " others";
 }
 
-std::vector<double> GroundHeights::at(std::span<const glm::dvec2> places) const {
+// The models come in classes of resolution, the finest first.
+void GroundHeights::add_to_kind(double step_m) {
+  if (kinds_.empty() || step_m > terrain::clearly_coarser * kinds_.back().step_m) {
+    const std::size_t begin = kinds_.empty() ? 0 : kinds_.back().end;
+    kinds_.push_back({begin, begin, step_m});
+  }
+  Kind& kind = kinds_.back();
+  ++kind.end;
+  kind.step_m = std::min(kind.step_m, step_m);
+}
+
+std::vector<double> GroundHeights::read(std::span<const glm::dvec2> places,
+                                        std::span<const Kind> kinds) const {
   const std::lock_guard lock(mutex_);
   std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()),
       next(places.size());
   std::vector<glm::dvec2> lon_lat;
-  for (const terrain::ElevationModel& model : models_) {
-    if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); })) break;
-    if (model.has_crs() && lon_lat.empty())
-      for (const glm::dvec2& p : places) lon_lat.push_back(city_.to_lon_lat(p));
-    model.sample(model.has_crs() ? std::span<const glm::dvec2>(lon_lat) : places, next);
-    for (std::size_t i = 0; i < heights.size(); ++i)
-      if (std::isnan(heights[i])) heights[i] = next[i];
-  }
+  for (const Kind& kind : kinds)
+    for (std::size_t n = kind.begin; n < kind.end; ++n) {
+      const terrain::ElevationModel& model = models_[n];
+      if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); }))
+        return heights;
+      if (model.has_crs() && lon_lat.empty())
+        for (const glm::dvec2& p : places) lon_lat.push_back(city_.to_lon_lat(p));
+      model.sample(model.has_crs() ? std::span<const glm::dvec2>(lon_lat) : places, next);
+      for (std::size_t i = 0; i < heights.size(); ++i)
+        if (std::isnan(heights[i])) heights[i] = next[i] + kind.shift_m;
+    }
   return heights;
 }
 

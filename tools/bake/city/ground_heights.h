@@ -31,15 +31,34 @@ class GroundHeights {
   /// "" where all name one.
   const std::string& unplaced() const { return unplaced_; }
 
-  /// Returns a height (m) for each place (E, N): that of the finest model that has one there, of
-  /// about equally fine ones the first; NaN where none has. Places that lie together are read
-  /// together. Safe to call from several threads, one of which works at a time. Throws Error when a
-  /// model cannot be read.
-  std::vector<double> at(std::span<const glm::dvec2> places) const;
+  /// A kind of models: about equally fine ones, so tiles of one survey. Others may count heights
+  /// from elsewhere.
+  struct Kind {
+    std::size_t begin, end;  // of the models
+    double step_m;           // least distance of neighbouring heights
+    double shift_m = 0;      // that is added to the heights
+  };
+  /// The kinds, the finest first.
+  const std::vector<Kind>& kinds() const { return kinds_; }
+  void move(std::size_t kind, double shift_m) { kinds_[kind].shift_m = shift_m; }
+
+  /// Returns a height (m) for each place (E, N), with its kind's shift: that of the finest model
+  /// that has one there, of about equally fine ones the first; NaN where none has. Places that lie
+  /// together are read together. Safe to call from several threads, one of which works at a time.
+  /// Throws Error when a model cannot be read.
+  std::vector<double> at(std::span<const glm::dvec2> places) const { return read(places, kinds_); }
+  /// The same of one kind alone.
+  std::vector<double> at(std::span<const glm::dvec2> places, std::size_t kind) const {
+    return read(places, std::span(kinds_).subspan(kind, 1));
+  }
 
  private:
+  void add_to_kind(double step_m);
+  std::vector<double> read(std::span<const glm::dvec2> places, std::span<const Kind> kinds) const;
+
   const georeference::CityFrame& city_;
   std::vector<terrain::ElevationModel> models_;
+  std::vector<Kind> kinds_;
   mutable std::mutex mutex_;  // of GDAL's datasets
   std::string assumptions_, unplaced_;
   double finest_ = std::numeric_limits<double>::infinity();

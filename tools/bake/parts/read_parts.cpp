@@ -186,6 +186,11 @@ fs::path find_recipe(const std::vector<fs::path>& named) {
                                      ": name the recipe with --recipe");
     recipe = head->recipe;
   }
+  std::error_code ignored;
+  if (!fs::exists(recipe, ignored))
+    throw Error(recipe,
+                "is not there, and is the recipe that the parts name: say where it lies "
+                "with --recipe");
   return recipe;
 }
 

@@ -18,12 +18,7 @@ std::string to_range(const Limits& limits) {
 // A folder that is named again is not searched again. Other mentions of a file can be told only
 // when folders are replaced by their files.
 std::vector<fs::path> read_paths(const Value& value, const fs::path& folder, const PathList& list) {
-  std::vector<fs::path> named;
-  for (const std::string& name : value.texts()) {
-    if (name.empty()) value.refuse("holds an empty name");
-    named.push_back((folder / name).lexically_normal());
-  }
-  inputs::NamedOnce once = inputs::name_once(std::move(named), list.kept);
+  inputs::NamedOnce once = inputs::name_once(value.paths(folder), list.kept);
   if (list.expand) {
     std::vector<fs::path> found;
     for (const fs::path& path : once.files) {

@@ -3,17 +3,25 @@
 #include <string>
 #include <vector>
 
+#include "formats/program/nearest_word.h"
 #include "tools/bake/recipe/tables.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"
 #include "tools/lights/lighting_class.h"
+#include "tools/roads/road_class.h"
 
 namespace nightcity::recipe {
 namespace {
 
 void check_road(const Value& value, const std::string& highway) {
   const lights::RoadLighting* road = lights::find_road_lighting(highway);
-  if (!road || road->highway != highway) value.refuse("names no class of road that may have lamps");
+  if (road && road->highway == highway) return;
+  std::vector<std::string> known;
+  for (const roads::RoadClass& road_class : roads::road_classes())
+    known.emplace_back(lights::find_road_lighting(road_class).highway);
+  const std::string nearest = program::find_nearest_word(highway, known);
+  value.refuse("names no class of road that may have lamps: \"" + highway + "\"" +
+               (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
 }
 
 std::map<std::string, std::string> to_lighting_classes(const Value& value) {
@@ -166,11 +174,9 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
       "the lamp, as for lamps of the map.",
       {{"file", "path", "", "", "", "\"lamps.geojson\"",
         "GeoJSON, CSV, GeoPackage, Shapefile, FlatGeobuf, or rows in JSON as servers answer; "
-        "plain, or as the only table in a .zip or .gz. The headings of a CSV are the first that "
-        "name places, also below titles. Required.",
-        [&row, folder](const Value& value) {
-          row.file = (folder / value.text()).lexically_normal();
-        }},
+        "plain, or as the only table in a .zip or .gz. A CSV may end in .txt. The headings of a "
+        "CSV are the first that name places, also below titles. Required.",
+        [&row, folder](const Value& value) { row.file = value.path(folder); }},
        text_key("layer", row.layer, "\"lamps\"",
                 "The layer, where several in the file may hold points."),
        text_key("crs", row.crs, "\"EPSG:25833\"",
@@ -218,9 +224,7 @@ Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path
           "One measured luminaire: a row of `[lamps] luminaires`.",
           {{"file", "path", "", "", "", "\"street.ldt\"",
             "Photometric file: IES LM-63, EULUMDAT, TM-33 (XML) or GLDF. Required.",
-            [&row, folder](const Value& value) {
-              row.file = (folder / value.text()).lexically_normal();
-            }},
+            [&row, folder](const Value& value) { row.file = value.path(folder); }},
            {"roads", "list of strings", "", "", "values of OSM's `highway`", R"(["residential"])",
             "Only for lamps beside these classes of road. Without it: beside every road.",
             [&row](const Value& value) {

@@ -1,5 +1,6 @@
 #include "tools/bake/recipe/recipe.h"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -16,6 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The nearest word of a table says little of a key that belongs in another, or stands in none.
+void refuse_key_elsewhere(const std::string& file, const toml::key& key, const std::string& what,
+                          const std::vector<recipe::Table>& tables) {
+  std::vector<std::string> owners;
+  for (const recipe::Table& table : tables)
+    for (const recipe::Key& each : table.keys)
+      if (each.name == key.str()) owners.push_back("[" + table.name + "]");
+  if (!owners.empty())
+    throw UsageError(file, key.source().begin.line,
+                     fmt::format("{}; {} {} a key of that name", what, fmt::join(owners, " and "),
+                                 owners.size() == 1 ? "has" : "have"));
+}
+
 void read_tables(const std::string& file, const toml::table& document,
                  const std::vector<recipe::Table>& tables) {
   for (const auto& [name, node] : document) {
@@ -24,12 +38,21 @@ void read_tables(const std::string& file, const toml::table& document,
       return each.name == table_name;
     });
     if (table == tables.end()) {
+      if (!node.is_table())
+        refuse_key_elsewhere(file, name, table_name + " stands in no table", tables);
       std::vector<std::string> known;
       for (const recipe::Table& each : tables) known.push_back(each.name);
       program::refuse_unknown_key(file, name, "table [" + table_name + "]", known);
     }
     const toml::table* settings = node.as_table();
     if (!settings) recipe::Value{file, table_name, node}.refuse("is not a table");
+    for (const auto& [key, value] : *settings) {
+      const std::string_view own_name = key.str();  // clang 14 captures no structured binding
+      if (std::none_of(table->keys.begin(), table->keys.end(),
+                       [&](const recipe::Key& each) { return each.name == own_name; }))
+        refuse_key_elsewhere(file, key, "unknown key [" + table_name + "] " + std::string(own_name),
+                             tables);
+    }
     if (table->on_present) table->on_present();
     recipe::read_keys(file, "[" + table_name + "] ", *settings, table->keys);
   }

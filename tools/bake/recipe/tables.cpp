@@ -30,10 +30,10 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
       "osm",
       "The map: street lamps, streets, and outlines that say what a building is used for.",
       {paths_key("files", osm.files, folder, {}, R"(["streets.osm.pbf"])",
-                 "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2, or the only map in "
-                 "a .zip. Paths are relative to the recipe. Several extracts are merged; an object "
-                 "that is in "
-                 "more than one is taken in its newest version."),
+                 "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz, .osm.bz2 or JSON as Overpass "
+                 "answers, or the only map in a .zip. Paths are relative to the recipe. Several "
+                 "extracts are merged; an object that is in more than one is taken in its newest "
+                 "version."),
        flag_key("buildings", osm.buildings,
                 "Without `[city] files`, the map's buildings are the city model: `building`, "
                 "`building:part`, `height`, `est_height`, `min_height`, `building:levels`, "
@@ -70,7 +70,8 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
            ".hdr (a text in it is one where nothing else is), and a .gz is unpacked. Rasters that "
            "come beside heights and say how good they are (`_HEM`, `_num`, ...) are passed over, "
            "with a note. Where several have a height the "
-           "finest decides, of about equally fine ones the first. They are not "
+           "finest decides, of about equally fine ones the first. Their heights are moved to meet "
+           "the buildings, those of each resolution by themselves. They are not "
            "used where the city model has a relief of its own."),
        text_key("dem_crs", terrain.elevation_crs, "\"EPSG:25832\"",
                 "The CRS of elevation models that name none, as tables of `x y z` do, in "

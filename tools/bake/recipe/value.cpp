@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "formats/error.h"
 
@@ -17,7 +18,9 @@ void Value::note(const std::string& message) const {
 }
 
 double Value::number(double min, double max) const {
-  const auto value = node.value<double>();
+  // A whole number of more digits than a double has is one nevertheless.
+  const std::optional<double> value =
+      node.is_integer() ? static_cast<double>(**node.as_integer()) : node.value<double>();
   if (!value || !node.is_number()) refuse("is not a number");
   if (!(*value >= min && *value <= max))
     refuse("is not between " + to_short_text(min) + " and " + to_short_text(max));
@@ -39,6 +42,28 @@ std::string Value::text() const {
   const auto value = node.value_exact<std::string>();
   if (!value) refuse("is not a string");
   return *value;
+}
+
+std::filesystem::path Value::path(const std::filesystem::path& folder) const {
+  const std::string name = text();
+  if (name.empty()) refuse("holds an empty name");
+  if (name.find("://") != name.npos)
+    refuse("names an address of the web, " + name + ": fetch the file, and name it where it lies");
+  if (name.starts_with("~/"))
+    refuse("begins with ~, which stands for no folder here: write " + name + " as a whole path");
+  const std::filesystem::path path = (folder / name).lexically_normal();
+  std::error_code ignored;
+  if (name.find('\\') != name.npos && !std::filesystem::exists(path, ignored))
+    refuse("names " + name + ", which is not there: / lies between folders, and not \\");
+  return path;
+}
+
+std::vector<std::filesystem::path> Value::paths(const std::filesystem::path& folder) const {
+  if (node.is_string()) return {path(folder)};
+  std::vector<std::filesystem::path> result;
+  for (const Value& element : elements(0, "a list of strings"))
+    result.push_back(element.path(folder));
+  return result;
 }
 
 std::vector<std::string> Value::texts() const {

@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct Value {
   std::string text() const;
   /// Returns the strings of a list; a single string counts as a list of one.
   std::vector<std::string> texts() const;
+  /// Returns the path that a string names, from `folder`. Refuses addresses of the web and what
+  /// stands for a folder on other systems; a file that is not there is for its reader to tell.
+  std::filesystem::path path(const std::filesystem::path& folder) const;
+  /// Returns those of a list; a single string counts as a list of one.
+  std::vector<std::filesystem::path> paths(const std::filesystem::path& folder) const;
 
   /// Returns the elements of a list that has exactly `count` of them (0: any number). Refuses with
   /// "is not WHAT" otherwise.
