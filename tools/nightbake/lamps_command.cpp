@@ -13,7 +13,7 @@
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "formats/to_lower.h"
-#include "tools/bake/bake.h"
+#include "tools/bake/bake_options.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/layout_report.h"
@@ -76,7 +76,7 @@ void run(const LampsArguments& arguments) {
   if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
     throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
   bake::BakeOptions options = read_options(arguments);
-  // A map that held no more than its lamps would stand in its own place.
+  // Only the lamps of a map are written: over the map itself, the rest of it would be lost.
   std::error_code ignored;
   for (const std::filesystem::path& map : options.city.maps)
     if (std::filesystem::equivalent(map, arguments.out, ignored))

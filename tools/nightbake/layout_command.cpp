@@ -10,7 +10,7 @@
 #include <string>
 
 #include "formats/program/print_json.h"
-#include "tools/bake/bake.h"
+#include "tools/bake/bake_options.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/report/layout_report.h"

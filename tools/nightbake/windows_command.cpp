@@ -14,7 +14,7 @@
 #include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
-#include "tools/bake/bake.h"
+#include "tools/bake/bake_options.h"
 #include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/object_versions.h"
 #include "tools/bake/read_inputs.h"
