@@ -16,11 +16,11 @@
 #include "tools/ground_cover/way_line.h"
 #include "tools/in_ring.h"
 #include "tools/names/lines_apart.h"
-#include "tools/names/simplify_line.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/ring_area.h"
 #include "tools/roads/road_class.h"
+#include "tools/simplify_line.h"
 
 namespace nightcity::names {
 namespace {

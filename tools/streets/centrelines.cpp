@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "tools/simplify_line.h"
 #include "tools/streets/axis_cleaning.h"
 
 namespace nightcity::streets {
@@ -42,27 +43,6 @@ double find_median_width(const Branch& branch) {
   return 0;
 }
 
-/// Simplifies a line (Douglas and Peucker 1973).
-void simplify(const std::vector<dvec2>& line, std::size_t a, std::size_t b,
-              std::vector<dvec2>& result) {
-  double worst = straight_within_m;
-  std::size_t at = a;
-  const dvec2 chord = line[b] - line[a];
-  const double length2 = glm::dot(chord, chord);
-  for (std::size_t n = a + 1; n < b; ++n) {
-    const double t =
-        length2 > 0 ? std::clamp(glm::dot(line[n] - line[a], chord) / length2, 0.0, 1.0) : 0;
-    const double off = glm::distance(line[n], line[a] + chord * t);
-    if (off > worst) worst = off, at = n;
-  }
-  if (at == a) {
-    result.push_back(line[b]);
-    return;
-  }
-  simplify(line, a, at, result);
-  simplify(line, at, b, result);
-}
-
 class Straightener {
  public:
   explicit Straightener(Axis&& axis)
@@ -79,9 +59,7 @@ class Straightener {
       street.from = branches_[b].from;
       street.to = branches_[b].to;
       street.width_m = widths_[b];
-      const std::vector<dvec2> line = straighten(b);
-      street.line.push_back(line.front());
-      simplify(line, 0, line.size() - 1, street.line);
+      street.line = simplify_line(straighten(b), straight_within_m);
       if (street.width_m > 0 && length_of(street.line) > 0.5) result.push_back(std::move(street));
     }
     return result;

@@ -8,7 +8,7 @@
 
 #include "tools/ground_cover/join_lines.h"
 #include "tools/names/lines_apart.h"
-#include "tools/names/simplify_line.h"
+#include "tools/simplify_line.h"
 
 namespace nightcity::names {
 namespace {

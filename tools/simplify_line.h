@@ -1,11 +1,18 @@
-#include "tools/names/simplify_line.h"
+// Leaves out points of a line that lie on it.
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
-namespace nightcity::names {
-Line simplify_line(const Line& line, double tolerance_m) {
+#include "tools/line.h"
+
+namespace nightcity {
+
+/// Returns the line without points that lie within `tolerance_m` of it (Douglas and Peucker 1973).
+/// Its ends stay, and every thousandth point, so that time grows with the number of points alone.
+inline Line simplify_line(const Line& line, double tolerance_m) {
   constexpr std::size_t max_run = 1000;
   if (line.size() < 3) return line;
   std::vector<bool> kept(line.size());
@@ -33,4 +40,4 @@ Line simplify_line(const Line& line, double tolerance_m) {
   return simple;
 }
 
-}  // namespace nightcity::names
+}  // namespace nightcity
