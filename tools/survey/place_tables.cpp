@@ -1,11 +1,10 @@
 #include "tools/survey/place_tables.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 
 #include "formats/error.h"
+#include "tools/georeference/utm_zone.h"
 #include "tools/inventory/read_inventory.h"
 
 namespace nightcity::survey {
@@ -22,13 +21,8 @@ std::vector<std::string> list_usual_crs(const std::vector<SurveyedFile>& files) 
     for (const SurveyedFile& file : files)
       if (file.use == use) add(file.crs);
   add("EPSG:3857");
-  for (const SurveyedFile& file : files) {
-    if (file.box.empty()) continue;
-    const glm::dvec2 at = file.box.middle();
-    constexpr int north = 32600, south = 32700;  // EPSG:32601 is zone 1 of UTM
-    add(fmt::format("EPSG:{}", (at.y < 0 ? south : north) +
-                                   std::clamp(static_cast<int>((at.x + 186) / 6), 1, 60)));
-  }
+  for (const SurveyedFile& file : files)
+    if (!file.box.empty()) add(georeference::find_utm_zone(file.box.middle()));
   return names;
 }
 

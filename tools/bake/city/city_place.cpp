@@ -11,14 +11,10 @@
 #include "formats/error.h"
 #include "formats/median.h"
 #include "tools/bake/city/city.h"
+#include "tools/georeference/utm_zone.h"
 
 namespace nightcity::bake {
 namespace {
-
-std::string utm_zone(const glm::dvec2& lon_lat) {
-  const int zone = std::clamp(static_cast<int>(std::floor((lon_lat.x + 180) / 6)) + 1, 1, 60);
-  return "EPSG:" + std::to_string((lon_lat.y < 0 ? 32700 : 32600) + zone);
-}
 
 void add_names(const std::vector<std::filesystem::path>& files, std::vector<std::string>& names) {
   for (const auto& file : files) names.push_back(file.filename().string());
@@ -69,7 +65,8 @@ std::optional<City::MapFrame> City::find_map_frame(const osm::OsmData& map) {
       if (!way.lon_lat.empty()) add(way.lon_lat.front());
   if (lon.empty()) return std::nullopt;
   const glm::dvec2 middle(median(std::move(lon)), median(std::move(lat)));
-  return MapFrame{middle, georeference::CityFrame::from_srs_name(utm_zone(middle), {}, {})};
+  return MapFrame{
+      middle, georeference::CityFrame::from_srs_name(georeference::find_utm_zone(middle), {}, {})};
 }
 
 const CityFrames& City::frames() const {
