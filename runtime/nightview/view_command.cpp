@@ -173,9 +173,10 @@ void add_view_command(CLI::App& app) {
       ->check(program::number_from(0, 64));
   sub->add_flag("--markers", view_options.markers, "Start with lamp markers drawn");
   sub->add_flag("--play", view_options.play, "Start with the clock running");
-  sub->add_option("--time-step", view_options.time_step_s,
-                  "Seconds by which the running clock moves on in every frame; 0 = it keeps real "
-                  "time, at the speed set in the panel")
+  sub->add_option(
+         "--time-step", view_options.time_step_s,
+         "Seconds by which the running clock moves on with every picture; 0 = it keeps real "
+         "time, at the speed set in the panel")
       ->capture_default_str()
       ->check(program::number_from(0, 3600));
   sub->add_flag("--offscreen", view_options.offscreen,

@@ -32,7 +32,7 @@ struct ViewOptions {
   render::GovernorOptions governor;  // of frames while the view moves or the clock runs
   bool markers = false;
   bool play = false;                // start with the clock running
-  double time_step_s = 0;           // by which the clock moves on a frame; 0 = it keeps real time
+  double time_step_s = 0;           // by which the clock moves on a picture; 0: it keeps real time
   std::uint32_t max_frames = 4096;  // in the mean; then only changes are rendered
   bool offscreen = false;           // the window stays black, and is drawn into memory
   std::uint32_t quit_after = 0;     // frames shown; 0 = when the user closes the window

@@ -25,7 +25,7 @@ using ground_cover::Box;
 constexpr double step_m = 0.5;
 // Ground between the points of a 10 m grid is flat enough (as for draped streets).
 constexpr double max_edge_m = 10;
-// Where it is not, as on a bank, points are added until it lies within so much of the edges.
+// On a bank it is not: points are added until the ground lies within so much of the edges.
 constexpr double max_gap_m = 0.1;
 
 const char* const in_building = "in a building or below a bridge";

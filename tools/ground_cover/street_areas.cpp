@@ -114,8 +114,8 @@ class StreetAreas {
     if (left.assumed || right.assumed) ++cover_.assumed["pavement beside a street"];
   }
 
-  // Where two streets of one rank cross, the wider is seen, of two of one width the longer, in
-  // whatever order the map has them.
+  // The wider of two streets of one rank is seen where they cross, and the longer of two that are
+  // as wide, in whatever order the map has them.
   void finish() {
     std::stable_sort(found_.begin(), found_.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });

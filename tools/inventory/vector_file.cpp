@@ -70,8 +70,7 @@ std::string explain_unread(const std::string& path, const std::string& said,
   if (start.substr(0, 4).find('\0') != start.npos)
     return "it is no text in UTF-8: save it so, or in UTF-16 with a mark of byte order";
   return "its content is none of these; a CSV has the ending .csv, .tsv or .txt, and commas, "
-         "semicolons, "
-         "tabs or bars between its columns";
+         "semicolons, tabs or bars between its columns";
 }
 
 bool is_named_as_csv(const std::string& path) {

@@ -1,6 +1,7 @@
-#include <cmath>
+#include "tools/survey/box.h"
 
-#include "tools/survey/survey.h"
+#include <cmath>
+#include <glm/common.hpp>
 
 namespace nightcity::survey {
 namespace {

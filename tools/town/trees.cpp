@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "tools/in_ring.h"
+#include "tools/line.h"
 #include "tools/random.h"
 
 namespace nightcity::town {
@@ -40,9 +41,8 @@ double density(BlockUse use) {
 double distance_to_edge(const std::vector<dvec2>& outline, const dvec2& p) {
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < outline.size(); ++k) {
-    const dvec2 a = outline[k], edge = outline[(k + 1) % outline.size()] - a;
-    const double t = glm::clamp(glm::dot(p - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
-    best = std::min(best, glm::distance(p, a + edge * t));
+    const dvec2& end = outline[(k + 1) % outline.size()];
+    best = std::min(best, find_distance(p, outline[k], end));
   }
   return best;
 }

@@ -31,7 +31,7 @@ class TripPath {
   const LinkNetwork& network_;
   const TripPlan& plan_;
   std::vector<double> starts_;  // of each link, and the end of the last
-  // Where it is parked the vehicle stands so much higher than its lane.
+  // The vehicle stands so much higher than its lane where it is parked.
   double start_rise_m_ = 0, end_rise_m_ = 0;
 };
 
