@@ -101,10 +101,10 @@ struct SceneNode {
 /// user clicks on.
 struct SceneFeature {
   std::string id;
-  std::string type;      // "Building", "Road", ...
-  std::string function;  // code or text as in the source; "" = absent
-  std::optional<double> measured_height_m;
-  std::optional<int> storeys_above_ground;
+  std::string type{};      // "Building", "Road", ...
+  std::string function{};  // code or text as in the source; "" = absent
+  std::optional<double> measured_height_m{};
+  std::optional<int> storeys_above_ground{};
   std::string provenance{};  // of a light: where each of its values comes from; "" = absent
 };
 

@@ -24,11 +24,11 @@ class Device {
     std::string
         select;  // "" = the best usable device; else an index, or part of a name in any case
     bool validation = false;
-    Trace trace = Trace::compute;                  // refused if the device lacks it
-    std::vector<const char*> instance_extensions;  // required by a window system
-    std::vector<const char*> device_extensions;
-    std::filesystem::path pipeline_folder;  // where compiled pipelines are kept; "" = nowhere
-    std::uint64_t max_memory_bytes = 0;     // taken from the device at most; 0 = all of it
+    Trace trace = Trace::compute;                    // refused if the device lacks it
+    std::vector<const char*> instance_extensions{};  // required by a window system
+    std::vector<const char*> device_extensions{};
+    std::filesystem::path pipeline_folder{};  // where compiled pipelines are kept; "" = nowhere
+    std::uint64_t max_memory_bytes = 0;       // taken from the device at most; 0 = all of it
   };
 
   /// Throws UsageError if no device matches or it cannot trace that way, Error if Vulkan fails.

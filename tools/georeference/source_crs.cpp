@@ -62,16 +62,15 @@ bool SourceCrs::State::read_axes(std::string& why) {
   axes = *own;
   if (geographic) return true;
   const PjPtr base{proj_crs_get_geodetic_crs(context.get(), crs.get())};
-  const auto base_axes = base ? ProjAxes::read(context.get(), base.get()) : std::nullopt;
-  if (base_axes)
-    to_degrees.reset(
-        proj_create_crs_to_crs_from_pj(context.get(), crs.get(), base.get(), nullptr, nullptr));
-  if (!to_degrees) {
-    why = "PROJ cannot turn it into degrees";
-    return false;
-  }
-  degree_axes = *base_axes;
-  return true;
+  if (base)
+    if (const auto base_axes = ProjAxes::read(context.get(), base.get())) {
+      degree_axes = *base_axes;
+      to_degrees.reset(
+          proj_create_crs_to_crs_from_pj(context.get(), crs.get(), base.get(), nullptr, nullptr));
+    }
+  if (to_degrees) return true;
+  why = "PROJ cannot turn it into degrees";
+  return false;
 }
 
 void SourceCrs::State::read_identity(const std::string& definition) {
@@ -185,7 +184,8 @@ std::string SourceCrs::doubt() const {
   if (!s.operation || s.semi_major == satellites_m || !is_guess(s.context.get(), s.operation.get()))
     return {};
   return "no shift from WGS 84 to the datum of " + s.name +
-         " is known, and none is made: lamps and streets commonly lie 60 to 460 m off; coordinates in "
+         " is known, and none is made: lamps and streets commonly lie 60 to 460 m off; coordinates "
+         "in "
          "a later CRS, control_points or a PROJ string with +towgs84 help";
 }
 

@@ -123,7 +123,7 @@ TEST(QuantiseNode, PlanesKeepTheirMarginWhereverFloatsRound) {
   std::mt19937 random(5);
   for (int round = 0; round < 2000; ++round) {
     const float place = std::ldexp(1.0f, int(random() % 40) - 20);
-    auto boxes = random_boxes(4, 50, random());
+    auto boxes = random_boxes(4, 50, static_cast<unsigned>(random()));
     std::vector<hierarchy::MeasuredChild> children;
     Box all;
     for (Box& box : boxes) {

@@ -107,8 +107,9 @@ void expect_alike(const scene::RenderScene& a, const scene::RenderScene& b) {
     if (!of_a) continue;
     ++hits;
     ASSERT_EQ(of_a->distance, of_b->distance);
-    if (of_a->triangle != of_b->triangle)
+    if (of_a->triangle != of_b->triangle) {
       ASSERT_NEAR(glm::dot(of_a->normal, of_b->normal), 1, 1e-6);
+    }
   }
   EXPECT_GT(hits, 1000);
 }

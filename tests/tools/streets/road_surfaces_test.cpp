@@ -90,11 +90,12 @@ TEST(RoadSurfaces, CodesTellTheClass) {
 // a signal.
 TEST(RoadOutline, SurfacesThatCrossAreOne) {
   std::mt19937 random(20);
+  std::uniform_int_distribution<int> step(0, 6);
   for (int n = 0; n < 200; ++n) {
     std::vector<RoadSurface> surfaces(2 + random() % 8);
     for (RoadSurface& surface : surfaces)
       for (int k = 0; k < 10; ++k)
-        surface.exterior.emplace_back(random() % 7 * 0.01, random() % 7 * 0.01);
+        surface.exterior.emplace_back(step(random) * 0.01, step(random) * 0.01);
     EXPECT_NO_THROW(road_outline(surfaces));
   }
 }

@@ -39,7 +39,7 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
   if (has_model() && inputs_.ground.carries_buildings) {
     heights_.emplace(inputs_.ground, frame());
     const glm::dvec2 middle(frames_->reference());
-    frames_->raise_reference(heights_->at({&middle, 1}).front());
+    frames_->raise_reference(heights_->near(middle));
   }
   if (inputs_.survey)
     map_.buildings = inputs_.survey->map_buildings;

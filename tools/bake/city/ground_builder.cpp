@@ -13,15 +13,13 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/bake/city/grid_ground.h"
 #include "tools/bake/city/ground_heights.h"
 #include "tools/bake/city/map_reach.h"
 #include "tools/bake/city/meet_buildings.h"
-#include "tools/terrain/thin_surface.h"
 
 namespace nightcity::bake {
 namespace {
-
-constexpr double max_quads = 1e6;  // of a ground from an elevation model
 
 // Returns how a surface of an object counts in the terrain; nothing where it does not.
 std::optional<terrain::SurfaceClass> find_surface_class(city::ObjectType type,
@@ -95,95 +93,6 @@ std::set<Tile> widened(const std::set<Tile>& occupied, double tile_m, double mar
         result.insert({column, row});
   return result;
 }
-
-// A tile's ground: a regular grid of heights, two triangles a square.
-class GridGround {
- public:
-  GridGround(const GroundHeights& heights, const GroundOptions& options, std::size_t tiles)
-      : heights_(heights), max_error_m_(options.max_error_m) {
-    const double tile_m = options.tile_m;
-    const double finest = std::ceil(tile_m / heights.finest_m()),
-                 affordable = std::floor(std::sqrt(max_quads / static_cast<double>(tiles)));
-    steps_ = static_cast<std::uint32_t>(std::clamp(std::min(finest, affordable), 1.0, 512.0));
-    step_m_ = tile_m / steps_;
-  }
-
-  double step_m() const { return step_m_; }
-  bool covers_nothing() const { return missing_ == quads_; }
-  double missing_percent() const {
-    return 100.0 * static_cast<double>(missing_) / static_cast<double>(quads_);
-  }
-
-  mesh::TriangleMesh make(const Tile& tile) {
-    std::vector<glm::dvec2> places;
-    // Counted from the frame's origin, so that neighbouring tiles have the very same vertices.
-    const auto line = [&](std::int32_t number, std::uint32_t i) {
-      return static_cast<double>(std::int64_t{number} * steps_ + i) * step_m_;
-    };
-    for (std::uint32_t j = 0; j <= steps_; ++j)
-      for (std::uint32_t i = 0; i <= steps_; ++i)
-        places.emplace_back(line(tile.column, i), line(tile.row, j));
-    std::vector<double> z = heights_.at(places);
-    const std::vector<bool> loose = straighten_sides(z);
-    mesh::TriangleMesh mesh;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      mesh.positions.emplace_back(places[i], z[i]);
-    const std::size_t missing_before = missing_;
-    for (std::uint32_t j = 0; j < steps_; ++j)
-      for (std::uint32_t i = 0; i < steps_; ++i) {
-        const std::uint32_t a = j * (steps_ + 1) + i, b = a + 1, c = b + steps_ + 1, d = c - 1;
-        ++quads_;
-        if (!std::isfinite(z[a] + z[b] + z[c] + z[d])) {
-          ++missing_;
-          continue;
-        }
-        mesh.triangles.push_back({{a, b, c}, city::SurfaceType::terrain, 0});
-        mesh.triangles.push_back({{a, c, d}, city::SurfaceType::terrain, 0});
-      }
-    const std::size_t whole = mesh.triangles.size();
-    // All vertices stay if data are missing: then the tile's outline does not follow its sides.
-    if (max_error_m_ > 0 && missing_ == missing_before)
-      mesh = terrain::thin_surface(mesh, max_error_m_, loose);
-    thinned_ += whole - mesh.triangles.size();
-    return mesh;
-  }
-
-  std::size_t thinned() const { return thinned_; }
-
- private:
-  // Returns which vertices of the tile's sides are not needed, and puts them on the straight lines
-  // between the others: so a neighbour meets this tile whether it uses them or not.
-  std::vector<bool> straighten_sides(std::vector<double>& z) const {
-    std::vector<bool> loose(z.size());
-    if (!(max_error_m_ > 0)) return loose;
-    const std::size_t row = steps_ + 1, last = steps_;
-    for (const auto& [first, stride] :
-         {std::pair<std::size_t, std::size_t>{0, 1}, {last * row, 1}, {0, row}, {last, row}}) {
-      std::vector<double> side;
-      for (std::size_t n = 0; n < row; ++n) side.push_back(z[first + n * stride]);
-      if (std::any_of(side.begin(), side.end(), [](double h) { return !std::isfinite(h); }))
-        continue;
-      const std::vector<bool> needed = terrain::find_needed(side, max_error_m_);
-      for (std::size_t from = 0, to = 1; to < row; ++to) {
-        if (!needed[to]) continue;
-        for (std::size_t n = from + 1; n < to; ++n) {
-          const double share = static_cast<double>(n - from) / static_cast<double>(to - from);
-          z[first + n * stride] = side[from] + share * (side[to] - side[from]);
-          loose[first + n * stride] = true;
-        }
-        from = to;
-      }
-    }
-    return loose;
-  }
-
-  const GroundHeights& heights_;
-  double max_error_m_;
-  double step_m_ = 0;
-  std::uint32_t steps_ = 1;  // squares along a tile's side
-  std::size_t quads_ = 0, missing_ = 0;
-  std::size_t thinned_ = 0;  // triangles
-};
 
 }  // namespace
 
@@ -265,21 +174,25 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
                                   : meet_buildings(heights, terrain_.footprint_points());
   const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
   GridGround ground(heights, options_, under.size());
-  for (const Tile& tile : under) {
-    const mesh::TriangleMesh mesh = ground.make(tile);
+  const auto add = [&](const mesh::TriangleMesh& mesh) {
     terrain_.add(mesh, terrain::SurfaceClass::terrain);
     show(mesh);
-  }
+  };
+  for (const Tile& tile : under)
+    if (const auto mesh = ground.make_whole(tile)) add(*mesh);
   if (ground.covers_nothing())
     throw Error(options_.elevation_models.front().string(),
                 "no elevation model of the recipe covers any of the city" +
                     (heights.unplaced().empty() ? "" : "; " + heights.unplaced()));
+  if (options_.make_surface) ground.fill_gaps(terrain_.footprint_points());
+  for (const Tile& tile : ground.tiles_with_gaps()) add(ground.make_filled(tile));
   const std::string thinned =
       ground.thinned() == 0 ? ""
                             : fmt::format(", {} triangles fewer by max_error_m", ground.thinned());
   return fmt::format(
-      "{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data{}{}",
-      heights.count(), ground.step_m(), meeting, ground.missing_percent(), thinned,
+      "{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data{}{}{}",
+      heights.count(), ground.step_m(), meeting, ground.missing_percent(),
+      ground.is_filled() ? ", filled between its edges and the buildings' feet" : "", thinned,
       heights.assumptions());
 }
 

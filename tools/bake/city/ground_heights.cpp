@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "formats/error.h"
@@ -67,6 +68,22 @@ std::vector<double> GroundHeights::read(std::span<const glm::dvec2> places,
         if (std::isnan(heights[i])) heights[i] = next[i] + kind.shift_m;
     }
   return heights;
+}
+
+double GroundHeights::near(const glm::dvec2& place) const {
+  constexpr double farthest_m = 5'000;
+  constexpr int directions = 16;
+  if (const double height = at({&place, 1}).front(); std::isfinite(height)) return height;
+  for (double radius = finest_; radius < farthest_m; radius *= 2) {
+    std::vector<glm::dvec2> circle;
+    for (int k = 0; k < directions; ++k) {
+      const double azimuth = 2 * std::numbers::pi * k / directions;
+      circle.push_back(place + radius * glm::dvec2(std::sin(azimuth), std::cos(azimuth)));
+    }
+    for (const double height : at(circle))
+      if (std::isfinite(height)) return height;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace nightcity::bake

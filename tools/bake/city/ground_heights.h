@@ -47,7 +47,11 @@ class GroundHeights {
   /// together are read together. Safe to call from several threads, one of which works at a time.
   /// Throws Error when a model cannot be read.
   std::vector<double> at(std::span<const glm::dvec2> places) const { return read(places, kinds_); }
-  /// The same of one kind alone.
+  /// Returns the height at a place, or where the models have none, one that they have near it:
+  /// of the nearest of circles around it whose radii double, the first of 16 places that has one.
+  /// NaN where none within 5 km has.
+  double near(const glm::dvec2& place) const;
+  /// The same as at() of one kind alone.
   std::vector<double> at(std::span<const glm::dvec2> places, std::size_t kind) const {
     return read(places, std::span(kinds_).subspan(kind, 1));
   }

@@ -131,6 +131,7 @@ void ObjectFeed::take(Batch::Item&& item) {
     ++report_.left_out[left_out];
     return;
   }
+  if (item.ready.beyond_heights && !continues) ++report_.beyond_heights;
   if (!item.ready.elsewhere.empty() && !continues) ++elsewhere_[item.ready.elsewhere];
   for (const CityConsumer::Turn& turn : item.turns) turn(continues);
   if (!item.ready.prepared->mesh.triangles.empty()) last_id_ = object.id;

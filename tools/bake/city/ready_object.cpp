@@ -81,8 +81,9 @@ void to_city_frame(city::CityObject& object, std::size_t file, const CityFrames&
   for (city::Ring& line : object.lines) to_city_frame(name, file, frames, line);
 }
 
-// Returns false where the ground below the object is unknown.
-bool stand_on_ground(city::CityObject& object, const GroundHeights& heights) {
+enum class Standing : std::uint8_t { on_ground, on_ground_near, nowhere };
+
+Standing stand_on_ground(city::CityObject& object, const GroundHeights& heights) {
   std::vector<glm::dvec2> places;
   for (const city::Polygon& polygon : object.polygons)
     for (const glm::dvec3& p : polygon.exterior) places.emplace_back(p);
@@ -94,13 +95,15 @@ bool stand_on_ground(city::CityObject& object, const GroundHeights& heights) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const double height : heights.at(places))
     if (height < lowest) lowest = height;  // not NaN
-  if (!std::isfinite(lowest)) return false;
+  const bool is_known = std::isfinite(lowest);
+  if (!is_known && !places.empty()) lowest = heights.near(places.front());
+  if (!std::isfinite(lowest)) return Standing::nowhere;
   for (city::Polygon& polygon : object.polygons) {
     for (glm::dvec3& p : polygon.exterior) p.z += lowest;
     for (city::Ring& ring : polygon.interiors)
       for (glm::dvec3& p : ring) p.z += lowest;
   }
-  return true;
+  return is_known ? Standing::on_ground : Standing::on_ground_near;
 }
 
 bool is_far_away(const city::CityObject& object, const CityFrames& frames) {
@@ -183,9 +186,12 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
     result.unusable = Unusable::far_away;
   } else if (object.polygons.empty()) {
     // Points and lines alone have no mesh.
-  } else if (settings.heights && !stand_on_ground(object, *settings.heights)) {
+  } else if (const Standing standing = settings.heights ? stand_on_ground(object, *settings.heights)
+                                                        : Standing::on_ground;
+             standing == Standing::nowhere) {
     result.unusable = Unusable::without_ground;
   } else {
+    result.beyond_heights = standing == Standing::on_ground_near;
     const PictureLayout pictures(object);
     prepared->pictured_polygons = pictures.size();
     if (object.type == city::ObjectType::building)

@@ -38,7 +38,8 @@ struct ReadyObject {
   std::uint64_t contents = 0;  // of all of its outlines
   Unusable unusable = Unusable::no;
   mesh::MeshReport report;
-  std::string elsewhere;  // a CRS that it names beside the file's
+  bool beyond_heights = false;  // it stands on a height of the ground near it
+  std::string elsewhere;        // a CRS that it names beside the file's
   /// The object as it was read, where it names a CRS that is not known yet; the other members mean
   /// nothing then.
   std::optional<city::CityObject> unknown;
@@ -49,7 +50,8 @@ struct ReadySettings {
   const CityFrames& frames;
   /// Heights of the ground, for objects of a model without heights of its own, as a map's buildings
   /// are; null: objects have heights. Such an object stands on the lowest height below its
-  /// outlines, as OpenStreetMap counts the height of a building; one without any is left out.
+  /// outlines, as OpenStreetMap counts the height of a building, or on one near it. Without any it
+  /// is left out.
   const GroundHeights* heights = nullptr;
   city::PolygonLimits polygon{};
   double simplify_m = 0;   // of buildings: CityInputs

@@ -51,9 +51,9 @@ void visit_tree(Archive& archive, Tree& tree) {
 
 template <class Archive, class Ready, class Prepared>
 void visit(Archive& archive, Ready& ready, Prepared& prepared) {
-  archive(ready.identity, ready.contents, ready.unusable, ready.report, ready.elsewhere,
-          prepared.mesh.positions, prepared.mesh.triangles, prepared.lacks_heights, prepared.closed,
-          prepared.use, prepared.pictures, prepared.pictured_polygons);
+  archive(ready.identity, ready.contents, ready.unusable, ready.beyond_heights, ready.report,
+          ready.elsewhere, prepared.mesh.positions, prepared.mesh.triangles, prepared.lacks_heights,
+          prepared.closed, prepared.use, prepared.pictures, prepared.pictured_polygons);
 }
 
 }  // namespace

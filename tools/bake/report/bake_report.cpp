@@ -65,12 +65,15 @@ std::string reading_in_words(const BakeReport& report) {
 std::string surfaces_in_words(const BakeReport& report) {
   const SceneTilesReport& tiles = report.tiles;
   const GroundReport& ground = report.ground;
+  const std::size_t beyond = report.city.beyond_heights;
   std::string text = report_line(
       "triangles", fmt::format("{}: {}", sum(tiles.triangles), in_words(tiles.triangles)));
   text += report_line(
       "terrain",
       ground.source + break_edges_in_words(ground.break_edges) +
           (ground.dem.empty() ? "" : ", dem " + ground.dem) +
+          (beyond ? fmt::format(", {} buildings beyond its data stand as high as near them", beyond)
+                  : "") +
           (tiles.draped ? fmt::format(", {} triangles without heights put onto it", tiles.draped)
                         : ""));
   if (report.horizon.triangles > 0)
@@ -170,6 +173,7 @@ json to_json(const BakeReport& report) {
       {"mesh", to_json(city.mesh)},
       {"terrain", ground.source},
       {"dem", ground.dem},
+      {"beyond_dem", city.beyond_heights},
       {"relief_points", ground.relief_points},
       {"break_edges", {{"used", ground.break_edges.used}, {"unused", ground.break_edges.unused}}},
       {"horizon",

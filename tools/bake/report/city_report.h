@@ -16,6 +16,7 @@ struct CityReport {
   mesh::MeshReport mesh;
   std::map<std::string, std::size_t> objects;   // by type
   std::map<std::string, std::size_t> left_out;  // objects, by reason
+  std::size_t beyond_heights = 0;  // objects that stand on a height of an elevation model near them
 };
 
 struct GroundReport {

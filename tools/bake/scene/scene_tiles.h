@@ -33,7 +33,7 @@ struct SceneTileOptions {
   bool skins = true;         // give buildings without a colour the finish of their use and age
   trees::Vegetation vegetation = trees::Vegetation::trees;  // of the model
   unsigned threads = 0;                                     // 0: one a core
-  std::shared_ptr<PictureBudget> picture_budget;            // null: no limit
+  std::shared_ptr<PictureBudget> picture_budget{};          // null: no limit
 };
 
 /// Each object becomes a feature of the writer, and its triangles wait on disk, sorted into tiles.

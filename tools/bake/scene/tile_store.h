@@ -57,7 +57,7 @@ class TileStore {
     MaterialCode material;
     std::uint32_t feature;
     std::uint32_t solid : 1;
-    std::uint32_t picture : 31;  // 1 + number of its PicturedTriangle in the tile; 0 = none
+    std::uint32_t picture : 31 = 0;  // 1 + number of its PicturedTriangle in the tile; 0 = none
   };
   /// Changes a tile's triangles before they are written: leaves some out, or cuts them.
   using Change = std::function<void(std::vector<StoredTriangle>&)>;

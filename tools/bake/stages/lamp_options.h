@@ -18,7 +18,7 @@ struct LuminaireFile {
   std::filesystem::path file;           // IES LM-63, EULUMDAT, TM-33 or GLDF
   std::vector<std::string> highways;    // OSM classes of road; empty: every road
   std::vector<lights::LampType> types;  // empty: every type
-  std::vector<std::string> models;      // as an inventory names them; empty: every one
+  std::vector<std::string> models{};    // as an inventory names them; empty: every one
   bool take_flux = true;                // false: the lumens stay those of the table of defaults
 
   auto operator<=>(const LuminaireFile&) const = default;
