@@ -11,7 +11,7 @@ namespace nightcity::terrain {
 namespace {
 
 constexpr double finest_cell_m = 128;
-constexpr std::size_t max_cached = 160'000;  // triangles, 80 bytes each
+constexpr std::size_t max_cached = 320'000;  // triangles, 80 bytes each
 constexpr std::size_t crowded = 256;         // triangles of a bucket
 constexpr std::size_t block_size = 64;       // triangles that share a box where one is crowded
 constexpr double min_plan_area_m2 = 1e-8;    // below it a triangle is a wall or a line
@@ -37,11 +37,11 @@ struct SurfaceStore::Loaded {
   Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size)
       : triangles(std::move(t)), corner(low) {
     choose_buckets(size);
+    sort_from_the_top();
     sort_into_buckets();
-    if (find_fullest() > crowded) {
-      remove_repeats();
-      choose_buckets(size);
-    }
+    if (find_fullest() <= crowded) return;
+    remove_repeats();
+    choose_buckets(size);
     sort_from_the_top();
     sort_into_buckets();
     if (find_fullest() > crowded) box_blocks();
@@ -110,6 +110,7 @@ struct SurfaceStore::Loaded {
     std::sort(order.begin(), order.end());
     std::vector<Triangle> sorted;
     sorted.reserve(order.size());
+    tops.clear();
     tops.reserve(order.size());
     for (const auto& [depth, number] : order) {
       sorted.push_back(triangles[number]);
