@@ -5,6 +5,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Projection_traits_xy_3.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -26,9 +28,12 @@ using Traits = CGAL::Projection_traits_xy_3<Kernel>;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Traits, Structure>;
-using ConstrainedStructure =
-    CGAL::Triangulation_data_structure_2<VertexBase,
-                                         CGAL::Constrained_triangulation_face_base_2<Traits>>;
+struct FaceMark {
+  bool is_outside = false;
+};
+using ConstrainedFace = CGAL::Constrained_triangulation_face_base_2<
+    Traits, CGAL::Triangulation_face_base_with_info_2<FaceMark, Traits>>;
+using ConstrainedStructure = CGAL::Triangulation_data_structure_2<VertexBase, ConstrainedFace>;
 // The tag splits lines that cross, which would throw otherwise.
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Traits, ConstrainedStructure,
                                                                CGAL::Exact_predicates_tag>;
@@ -115,6 +120,95 @@ mesh::TriangleMesh to_mesh(const Triangulation& triangulation, std::vector<glm::
   return mesh;
 }
 
+// A Delaunay triangulation through points with lines that are edges of it.
+class ConstrainedSurface {
+ public:
+  // `points` are as prepare() leaves them, and outlive the object.
+  explicit ConstrainedSurface(const std::vector<glm::dvec3>& points)
+      // n lines may cross n^2 times. The few crossings of a real file are kept; a hostile file gets
+      // no more.
+      : points_(points), max_vertices_(2 * points.size() + 1000) {
+    insert_points(surface_, points_);
+    vertices_.resize(points_.size());
+    for (auto v = surface_.finite_vertices_begin(); v != surface_.finite_vertices_end(); ++v)
+      vertices_[v->info()] = v;
+  }
+
+  // The vertices of a line are among the points.
+  void add_line(std::span<const glm::dvec3> line) {
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const auto a = vertex_at(line[k]), b = vertex_at(line[k + 1]);
+      if (a == Constrained::Vertex_handle{} || b == Constrained::Vertex_handle{} || a == b)
+        continue;
+      if (surface_.number_of_vertices() > max_vertices_) {
+        ++unused_edges_;
+        continue;
+      }
+      surface_.insert_constraint(a, b);
+      ++edges_;
+    }
+  }
+
+  // Marks the faces that can be reached from outside without crossing a line.
+  void mark_outside() {
+    std::vector<Constrained::Face_handle> waiting{surface_.infinite_face()};
+    waiting.front()->info().is_outside = true;
+    while (!waiting.empty()) {
+      const Constrained::Face_handle face = waiting.back();
+      waiting.pop_back();
+      for (int side = 0; side < 3; ++side) {
+        const Constrained::Face_handle next = face->neighbor(side);
+        if (next->info().is_outside || face->is_constrained(side)) continue;
+        next->info().is_outside = true;
+        waiting.push_back(next);
+      }
+    }
+  }
+
+  // Returns whether a point lies in a face that is marked, and on no line.
+  bool is_outside(const glm::dvec3& p) const {
+    const auto found = surface_.locate(Kernel::Point_3(p.x, p.y, p.z), vertices_.front()->face());
+    if (found == Constrained::Face_handle{} || surface_.is_infinite(found)) return true;
+    return found->info().is_outside;
+  }
+
+  // Returns the faces that `is_shown`.
+  template <class IsShown>
+  mesh::TriangleMesh make_mesh(const IsShown& is_shown) {
+    mesh::TriangleMesh mesh;
+    for (auto v = surface_.finite_vertices_begin(); v != surface_.finite_vertices_end(); ++v) {
+      v->info() = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.emplace_back(v->point().x(), v->point().y(), v->point().z());
+    }
+    for (auto face = surface_.finite_faces_begin(); face != surface_.finite_faces_end(); ++face)
+      if (is_shown(Constrained::Face_handle(face)))
+        mesh.triangles.push_back(
+            {{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
+             city::SurfaceType::terrain,
+             0});
+    return mesh;
+  }
+
+  std::size_t edges() const { return edges_; }
+  std::size_t unused_edges() const { return unused_edges_; }
+
+ private:
+  Constrained::Vertex_handle vertex_at(const glm::dvec3& p) const {
+    if (!finite(p)) return {};
+    const auto found = std::lower_bound(points_.begin(), points_.end() - rim_points, p,
+                                        [](const glm::dvec3& a, const glm::dvec3& b) {
+                                          return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+                                        });
+    return vertices_[static_cast<std::size_t>(found - points_.begin())];
+  }
+
+  const std::vector<glm::dvec3>& points_;
+  std::size_t max_vertices_;
+  Constrained surface_;
+  std::vector<Constrained::Vertex_handle> vertices_;
+  std::size_t edges_ = 0, unused_edges_ = 0;
+};
+
 }  // namespace
 
 mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m,
@@ -132,41 +226,38 @@ BreakSurface make_surface(std::vector<glm::dvec3> points,
   prepare(points, margin_m);
   BreakSurface result;
   if (points.empty()) return result;
-  Constrained surface;
-  insert_points(surface, points);
-  std::vector<Constrained::Vertex_handle> vertices(points.size());
-  for (auto v = surface.finite_vertices_begin(); v != surface.finite_vertices_end(); ++v)
-    vertices[v->info()] = v;
-  const auto inner_end = points.end() - rim_points;
-  const auto vertex_at = [&](const glm::dvec3& p) -> Constrained::Vertex_handle {
-    if (!finite(p)) return {};
-    const auto found = std::lower_bound(points.begin(), inner_end, p,
-                                        [](const glm::dvec3& a, const glm::dvec3& b) {
-                                          return std::tie(a.x, a.y) < std::tie(b.x, b.y);
-                                        });
-    return vertices[static_cast<std::size_t>(found - points.begin())];
-  };
-  // n lines may cross n^2 times. The few crossings of a real file are kept; a hostile file gets no
-  // more.
-  const std::size_t max_vertices = 2 * points.size() + 1000;
-  for (const auto& line : lines)
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      const auto a = vertex_at(line[k]), b = vertex_at(line[k + 1]);
-      if (a == Constrained::Vertex_handle{} || b == Constrained::Vertex_handle{} || a == b)
-        continue;
-      if (surface.number_of_vertices() > max_vertices) {
-        ++result.unused_edges;
-        continue;
-      }
-      surface.insert_constraint(a, b);
-      ++result.edges;
-    }
-  std::vector<glm::dvec3> positions;
-  for (auto v = surface.finite_vertices_begin(); v != surface.finite_vertices_end(); ++v) {
-    v->info() = static_cast<std::uint32_t>(positions.size());
-    positions.emplace_back(v->point().x(), v->point().y(), v->point().z());
+  ConstrainedSurface surface(points);
+  for (const auto& line : lines) surface.add_line(line);
+  result.edges = surface.edges();
+  result.unused_edges = surface.unused_edges();
+  result.mesh = surface.make_mesh([](Constrained::Face_handle) { return true; });
+  return result;
+}
+
+SurfaceAround make_surface_around(std::span<const std::vector<glm::dvec3>> rings,
+                                  std::vector<glm::dvec3> points, double margin_m) {
+  std::erase_if(points, [](const glm::dvec3& p) { return !finite(p); });
+  const std::vector<glm::dvec3> asked = points;
+  // The lowest point of a vertical line stays, and a ring's must.
+  std::set<std::pair<double, double>> taken;
+  for (const auto& ring : rings)
+    for (const glm::dvec3& p : ring) taken.emplace(p.x, p.y);
+  std::erase_if(points, [&](const glm::dvec3& p) { return taken.contains({p.x, p.y}); });
+  for (const auto& ring : rings) points.insert(points.end(), ring.begin(), ring.end());
+  prepare(points, margin_m);
+  SurfaceAround result;
+  if (points.empty()) return result;
+  ConstrainedSurface surface(points);
+  for (std::vector<glm::dvec3> ring : rings) {
+    if (ring.empty()) continue;
+    ring.push_back(ring.front());
+    surface.add_line(ring);
   }
-  result.mesh = to_mesh(surface, std::move(positions));
+  surface.mark_outside();
+  result.points = static_cast<std::size_t>(std::count_if(
+      asked.begin(), asked.end(), [&](const glm::dvec3& p) { return surface.is_outside(p); }));
+  result.mesh =
+      surface.make_mesh([](Constrained::Face_handle face) { return face->info().is_outside; });
   return result;
 }
 

@@ -30,4 +30,15 @@ struct BreakSurface {
 BreakSurface make_surface(std::vector<glm::dvec3> points,
                           std::span<const std::vector<glm::dvec3>> lines, double margin_m);
 
+struct SurfaceAround {
+  mesh::TriangleMesh mesh;
+  std::size_t points = 0;  // of those given, those that lie outside
+};
+
+/// Returns a surface that goes on outside a ground: from the ground's outer `rings`
+/// (Outline::find_rings), whose pieces are edges of it, through `points`, of which those inside do
+/// not count, to a rim as above.
+SurfaceAround make_surface_around(std::span<const std::vector<glm::dvec3>> rings,
+                                  std::vector<glm::dvec3> points, double margin_m);
+
 }  // namespace nightcity::terrain

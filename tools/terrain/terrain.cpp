@@ -40,9 +40,8 @@ Terrain& Terrain::operator=(Terrain&&) noexcept = default;
 
 void Terrain::add(const mesh::TriangleMesh& mesh, SurfaceClass surface_class) {
   SurfaceStore& layer = state_->layer(surface_class);
-  // Points for a surface, in case the model gives none.
-  GroundPoints* const points = !state_->layer(SurfaceClass::terrain).empty() ? nullptr
-                               : surface_class == SurfaceClass::ground_surface
+  // Points for a surface where the model gives none.
+  GroundPoints* const points = surface_class == SurfaceClass::ground_surface
                                    ? &state_->ground_points
                                : surface_class == SurfaceClass::road ? &state_->road_points
                                                                      : nullptr;

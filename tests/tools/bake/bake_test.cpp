@@ -514,6 +514,61 @@ TEST(Bake, TheCitysOwnReliefGoesBeforeAnElevationModel) {
   EXPECT_NE(report.ground.dem.find("not used"), std::string::npos);
 }
 
+// Writes the cube with its relief, and another one 1 km to the north without.
+Recipe write_relief_of_a_part(const TempFolder& folder) {
+  write_text(folder / "cube.gml", sample_gml());
+  std::string far = without_relief(sample_gml());
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{" 5819", " 5820"}, {"gml:id=\"", "gml:id=\"far-"}})
+    for (auto at = far.find(from); at != std::string::npos; at = far.find(from, at + to.size()))
+      far.replace(at, from.size(), to);
+  write_text(folder / "far.gml", far);
+  return make_recipe({folder / "cube.gml", folder / "far.gml"});
+}
+
+// Returns the corners of the terrain within 100 m of the cube in the north.
+std::vector<glm::dvec3> read_far_terrain(const std::filesystem::path& glb) {
+  std::vector<glm::dvec3> corners = read_terrain(glb);
+  std::erase_if(corners,
+                [](const glm::dvec3& p) { return std::hypot(p.x - 391005, p.y - 5820005) > 100; });
+  return corners;
+}
+
+TEST(Bake, TheGroundGoesOnBeyondTheReliefOfAPart) {
+  const TempFolder folder;
+  Recipe recipe = write_relief_of_a_part(folder);
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.ground.source, "given");
+  EXPECT_NEAR(report.ground.beyond_relief_percent, 50, 1);
+  const std::vector<glm::dvec3> corners = read_far_terrain(folder / "out/city.glb");
+  EXPECT_GE(corners.size(), 4u);
+  for (const glm::dvec3& p : corners) EXPECT_NEAR(p.z, 35, 0.01) << "the cube's foot";
+  recipe.terrain.make_surface = false;
+  bake(recipe, folder / "out");
+  EXPECT_TRUE(read_far_terrain(folder / "out/city.glb").empty());
+}
+
+TEST(Bake, BeyondTheReliefOfAPartAnElevationModelIsTheGround) {
+  const TempFolder folder;
+  Recipe recipe = write_relief_of_a_part(folder);
+  write_text(folder / "north.asc", [] {
+    std::string text = "ncols 40\nnrows 40\nxllcorner 390800\nyllcorner 5819800\ncellsize 10\n";
+    for (int row = 0; row < 40; ++row)
+      for (int column = 0; column < 40; ++column)
+        text += std::to_string(80 + column * 0.1) + (column < 39 ? " " : "\n");
+    return text;
+  }());
+  recipe.terrain.elevation_models = {folder / "north.asc"};
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.ground.source, "given");
+  EXPECT_NE(report.ground.dem.find("beyond the city's own relief, 1 models"), std::string::npos)
+      << report.ground.dem;
+  // The slope rises by 1 in 100 and is moved to the cube's foot, 35 m at x = 391005.
+  const std::vector<glm::dvec3> corners = read_far_terrain(folder / "out/city.glb");
+  EXPECT_GT(corners.size(), 300u);
+  for (const glm::dvec3& p : corners) EXPECT_NEAR(p.z, 35 + (p.x - 391005) / 100, 0.06);
+}
+
 TEST(Bake, AnElevationModelOfAnotherPlaceIsAnError) {
   const TempFolder folder;
   std::string far = without_relief(sample_gml());

@@ -39,6 +39,14 @@ std::vector<glm::dvec2> GridGround::find_places(const Tile& tile) const {
   return places;
 }
 
+std::vector<glm::dvec3> GridGround::find_heights(const Tile& tile) const {
+  const std::vector<glm::dvec2> places = find_places(tile);
+  const std::vector<double> z = heights_.at(places);
+  std::vector<glm::dvec3> vertices;
+  for (std::size_t i = 0; i < places.size(); ++i) vertices.emplace_back(places[i], z[i]);
+  return vertices;
+}
+
 template <class Visit>
 void GridGround::for_each_square(const Visit& visit) const {
   for (std::uint32_t j = 0; j < steps_; ++j)

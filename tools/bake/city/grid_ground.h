@@ -38,6 +38,9 @@ class GridGround {
   /// Returns the ground of a tile with gaps, without the squares that still lack a height.
   mesh::TriangleMesh make_filled(const Tile& tile);
 
+  /// Returns the vertices of a tile's grid; their heights are NaN where data are missing.
+  std::vector<glm::dvec3> find_heights(const Tile& tile) const;
+
   double step_m() const { return step_m_; }
   bool covers_nothing() const { return missing_ == squares_; }
   /// Returns the share of the squares for which the models have no data.

@@ -17,6 +17,7 @@
 #include "tools/bake/city/ground_heights.h"
 #include "tools/bake/city/map_reach.h"
 #include "tools/bake/city/meet_buildings.h"
+#include "tools/terrain/made_surface.h"
 
 namespace nightcity::bake {
 namespace {
@@ -103,7 +104,7 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
   if (!prepared->lacks_heights) {
     tiles = find_tiles(prepared->mesh, options_.tile_m);
     parts = split_by_class(*prepared);
-    if (options_.keeps_outline && is_ground(prepared->object.type)) outline.add(prepared->mesh);
+    if (needs_outline() && is_ground(prepared->object.type)) outline.add(prepared->mesh);
   }
   return [this, prepared, parts = std::move(parts), tiles = std::move(tiles),
           outline = std::move(outline)](bool) {
@@ -132,7 +133,7 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
 GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
                                   const ShowGround& show_made) {
   const ShowGround show = [&](const mesh::TriangleMesh& mesh) {
-    if (options_.keeps_outline) outline_.add(mesh);
+    if (needs_outline()) outline_.add(mesh);
     if (show_made) show_made(mesh);
   };
   const bool given = terrain_.has_relief();
@@ -152,6 +153,8 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
       report_.source = "dem";
     }
   }
+  const std::vector<glm::dvec3> feet =
+      given ? terrain_.footprint_points() : std::vector<glm::dvec3>();
   terrain_.build(options_.margin_m, options_.max_error_m, reach);
   report_.break_edges = terrain_.break_edges();
   const bool surface = !terrain_.made_surface().triangles.empty();
@@ -162,8 +165,57 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
   report_.shown = given || report_.source == "dem" || (surface && options_.make_surface);
   if (surface && report_.shown) show(terrain_.made_surface());
   terrain_.drop_made_surface();
-  if (!report_.shown) outline_ = {};
+  if (given && options_.make_surface) go_beyond_relief(frame, feet, show);
+  if (!report_.shown || !options_.keeps_outline) outline_ = {};
   return report_;
+}
+
+// A model may bring the relief of a part of itself: some of a survey's tiles, a single site.
+void GroundBuilder::go_beyond_relief(const georeference::CityFrame& frame,
+                                     std::span<const glm::dvec3> feet, const ShowGround& show) {
+  const auto has_ground = [&](const glm::dvec3& p) {
+    return terrain_.height_of(terrain::SurfaceClass::terrain, p) ||
+           terrain_.height_of(terrain::SurfaceClass::road, p);
+  };
+  std::vector<glm::dvec3> beyond;
+  std::copy_if(feet.begin(), feet.end(), std::back_inserter(beyond),
+               [&](const glm::dvec3& foot) { return !has_ground(foot); });
+  // Few are those of buildings that reach over the edge of a complete relief.
+  const double few = 0.01 * static_cast<double>(feet.size());
+  if (static_cast<double>(beyond.size()) <= few) return;
+  const auto rings = outline_.find_rings();
+  std::size_t outside = terrain::make_surface_around(rings, beyond, options_.margin_m).points;
+  if (static_cast<double>(outside) <= few) return;  // the others stand in holes of the relief
+  if (!options_.elevation_models.empty())
+    report_.dem = add_heights(frame, feet, has_ground, beyond);
+  const terrain::SurfaceAround around =
+      terrain::make_surface_around(rings, std::move(beyond), options_.margin_m);
+  terrain_.add(around.mesh, terrain::SurfaceClass::terrain);
+  show(around.mesh);
+  report_.beyond_relief_percent =
+      100 * static_cast<double>(outside) / static_cast<double>(feet.size());
+}
+
+// Puts the heights of elevation models in the place of feet, where there are any and no ground.
+std::string GroundBuilder::add_heights(const georeference::CityFrame& frame,
+                                       std::span<const glm::dvec3> feet,
+                                       const std::function<bool(const glm::dvec3&)>& has_ground,
+                                       std::vector<glm::dvec3>& beyond) const {
+  GroundHeights heights(options_, frame);
+  const std::string meeting = meet_buildings(heights, {feet.begin(), feet.end()});
+  const std::vector<double> known =
+      heights.at(std::vector<glm::dvec2>(beyond.begin(), beyond.end()));
+  std::vector<glm::dvec3> points;
+  for (std::size_t i = 0; i < beyond.size(); ++i)
+    if (!std::isfinite(known[i])) points.push_back(beyond[i]);
+  const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
+  const GridGround grid(heights, options_, under.size());
+  for (const Tile& tile : under)
+    for (const glm::dvec3& p : grid.find_heights(tile))
+      if (std::isfinite(p.z) && !has_ground(p)) points.push_back(p);
+  beyond = std::move(points);
+  return fmt::format("beyond the city's own relief, {} models, a height every {:.1f} m, {}{}",
+                     heights.count(), grid.step_m(), meeting, heights.assumptions());
 }
 
 std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame,

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "tools/bake/city/city_consumer.h"
@@ -42,6 +44,12 @@ class GroundBuilder final : public CityConsumer {
 
  private:
   std::string build_dem_ground(const georeference::CityFrame& frame, const ShowGround& show);
+  void go_beyond_relief(const georeference::CityFrame& frame, std::span<const glm::dvec3> feet,
+                        const ShowGround& show);
+  std::string add_heights(const georeference::CityFrame& frame, std::span<const glm::dvec3> feet,
+                          const std::function<bool(const glm::dvec3&)>& has_ground,
+                          std::vector<glm::dvec3>& beyond) const;
+  bool needs_outline() const { return options_.keeps_outline || options_.make_surface; }
 
   terrain::Terrain& terrain_;
   GroundOptions options_;

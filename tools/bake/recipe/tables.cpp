@@ -74,7 +74,7 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
            "the buildings, those of each resolution by themselves. Where none has a height, the "
            "ground goes on between the edges of the data and the buildings' feet (`make_surface`), "
            "and a map's building stands on a height near it, within 5 km; the report says how "
-           "much. They are not used where the city model has a relief of its own."),
+           "much. Where the city model has a relief of its own, they are used beyond it alone."),
        text_key("dem_crs", terrain.elevation_crs, "\"EPSG:25832\"",
                 "The CRS of elevation models that name none, as tables of `x y z` do, in "
                 "themselves or in a `.prj` beside them. Without it, they have the city's."),
@@ -86,10 +86,11 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
                    "A limit: the bake ends where the elevation models in archives and gzip "
                    "streams together unpack to more, in MB of the temporary folder. One entry "
                    "unpacks to 200 times its size or 1 GB at most."),
-       flag_key("make_surface", terrain.make_surface,
-                "Where there is neither a relief nor an elevation model, makes a ground "
-                "surface through the footprints of the buildings, and fills the gaps of elevation "
-                "models with one."),
+       flag_key(
+           "make_surface", terrain.make_surface,
+           "Where there is neither a relief nor an elevation model, makes a ground "
+           "surface through the footprints of the buildings. Where one of these ends within the "
+           "city, or has gaps, the ground goes on in the same way."),
        number_key("max_error_m", terrain.max_error_m, {0, 100}, "m",
                   "Thins the ground, whatever it is made of: vertices are left out where the "
                   "ground stays within so much above or below each of them. Borders of tiles "

@@ -71,6 +71,10 @@ std::string surfaces_in_words(const BakeReport& report) {
   text += report_line(
       "terrain",
       ground.source + break_edges_in_words(ground.break_edges) +
+          (ground.beyond_relief_percent > 0
+               ? fmt::format(", and made for the {:.1f} % of the buildings' corners beyond it",
+                             ground.beyond_relief_percent)
+               : "") +
           (ground.dem.empty() ? "" : ", dem " + ground.dem) +
           (beyond ? fmt::format(", {} buildings beyond its data stand as high as near them", beyond)
                   : "") +
@@ -174,6 +178,7 @@ json to_json(const BakeReport& report) {
       {"terrain", ground.source},
       {"dem", ground.dem},
       {"beyond_dem", city.beyond_heights},
+      {"beyond_relief_percent", ground.beyond_relief_percent},
       {"relief_points", ground.relief_points},
       {"break_edges", {{"used", ground.break_edges.used}, {"unused", ground.break_edges.unused}}},
       {"horizon",

@@ -24,12 +24,13 @@ struct GroundReport {
   /// "none".
   std::string source;
   terrain::Terrain::BreakEdges break_edges;
-  std::size_t relief_points = 0;  // mass points and vertices of break lines
-  std::size_t lone_vertices = 0;  // break lines of which the vertices alone are used
-  bool shown = false;             // the scene shows the terrain
-  bool has_roads = false;         // the model has roads of its own
-  bool has_bridges = false;       // the model has bridges of its own
-  bool has_land = false;          // the model has land use or water of its own
+  std::size_t relief_points = 0;     // mass points and vertices of break lines
+  std::size_t lone_vertices = 0;     // break lines of which the vertices alone are used
+  double beyond_relief_percent = 0;  // feet of buildings beyond it, for which it was made to go on
+  bool shown = false;                // the scene shows the terrain
+  bool has_roads = false;            // the model has roads of its own
+  bool has_bridges = false;          // the model has bridges of its own
+  bool has_land = false;             // the model has land use or water of its own
   std::string dem;  // how an elevation model was used, or why not; "" = none was given
 };
 
