@@ -10,6 +10,7 @@
 #include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/resolution.h"
+#include "tools/place/longitude.h"
 
 namespace nightcity::osm {
 namespace {
@@ -30,8 +31,10 @@ glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
   const bool closed = points.size() > 1 && points.front() == points.back();
   const std::size_t count = points.size() - (closed ? 1 : 0);
   glm::dvec2 sum(0);
-  for (std::size_t n = 0; n < count; ++n) sum += points[n];
-  return sum / static_cast<double>(count);
+  for (std::size_t n = 0; n < count; ++n)
+    sum += glm::dvec2(place::count_on(points[n].x, points[0].x), points[n].y);
+  sum /= static_cast<double>(count);
+  return {place::count_on(sum.x, 0), sum.y};
 }
 
 }  // namespace
