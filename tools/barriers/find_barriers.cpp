@@ -42,9 +42,9 @@ class Builder {
         height_at_(height_at) {}
 
   void add(const osm::OsmWay& way) {
-    const MeasuredWay line = measure(way, to_frame_, openings_);
     const char* reason = nullptr;
     const auto design = read_design(way.tags, reason);
+    const MeasuredWay line = measure(way, to_frame_, openings_, design ? design->kind.width_m : 0);
     kind_ = &find_kind(ground_cover::tag_of(way.tags, "barrier"));
     ++kind_->ways;
     kind_->mapped_m += line.length_m();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "tools/barriers/barrier_shape.h"
 #include "tools/ground_cover/street_areas.h"
@@ -29,6 +30,20 @@ osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
 
 osm::OsmWay wall_along(std::vector<glm::dvec2> line) {
   return way(std::move(line), {{"barrier", "wall"}});
+}
+
+// A wall 0.8 m wide.
+osm::OsmWay thick_wall(std::vector<glm::dvec2> line) {
+  return way(std::move(line), {{"barrier", "wall"}, {"width", "0.8"}, {"height", "2"}});
+}
+
+// Corners of the shapes of all walls.
+std::vector<glm::dvec3> find_corners(const BarrierSet& set) {
+  std::vector<glm::dvec3> corners;
+  for (const BarrierLine& line : set.lines)
+    for (const Corners& triangle : make_shape(line))
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
 }
 
 BarrierSet find(const osm::OsmData& map) {
@@ -121,6 +136,25 @@ TEST(FindBarriers, GatesAndPathsAreOpenAsWideAsTheyAre) {
   EXPECT_NEAR(open_m({{"barrier", "gate"}, {"maxwidth", "1.5"}}, "footway"), 1.5, 1e-9);
 }
 
+TEST(FindBarriers, APathThatPassesAslantHasRoomOverItsWholeWidth) {
+  // A wall 0.8 m thick, and paths of 2.5 m.
+  for (const double degrees : {90.0, 60.0, 45.0, 135.0, 25.0}) {
+    const double angle = glm::radians(degrees);
+    const glm::dvec2 node(150, 100), along(std::cos(angle), std::sin(angle));
+    osm::OsmData map;
+    map.barriers = {thick_wall({{100, 100}, node, {200, 100}})};
+    map.highways = {
+        way({node - along * 20.0, node, node + along * 20.0}, {{"highway", "footway"}})};
+    const BarrierSet set = find(map);
+    EXPECT_NEAR(set.report.left_out_m.at("open at gates and paths"),
+                (2.5 + 0.8 * std::abs(std::cos(angle))) / std::sin(angle), 1e-6);
+    for (const glm::dvec3& p : find_corners(set)) {
+      const glm::dvec2 from = glm::dvec2(p) - node;
+      EXPECT_GE(std::abs(along.x * from.y - along.y * from.x), 1.25 - 1e-6) << degrees;
+    }
+  }
+}
+
 TEST(FindBarriers, CarriagewaysAndBuildingsStayFree) {
   osm::OsmData map;
   map.highways = {way({{200, -400}, {200, 400}}, {{"highway", "residential"}})};  // 5.5 m wide
@@ -129,20 +163,6 @@ TEST(FindBarriers, CarriagewaysAndBuildingsStayFree) {
   EXPECT_NEAR(set.report.left_out_m.at("on a carriageway"), 5.5, 0.51);
   EXPECT_NEAR(set.report.left_out_m.at("in a building or below a bridge"), 20, 0.51);
   EXPECT_EQ(set.lines.size(), 4u);
-}
-
-// A wall 0.8 m wide.
-osm::OsmWay thick_wall(std::vector<glm::dvec2> line) {
-  return way(std::move(line), {{"barrier", "wall"}, {"width", "0.8"}, {"height", "2"}});
-}
-
-// Corners of the shapes of all walls.
-std::vector<glm::dvec3> find_corners(const BarrierSet& set) {
-  std::vector<glm::dvec3> corners;
-  for (const BarrierLine& line : set.lines)
-    for (const Corners& triangle : make_shape(line))
-      corners.insert(corners.end(), triangle.begin(), triangle.end());
-  return corners;
 }
 
 TEST(FindBarriers, ThickWallsEndWhereTheyMeetAHouseWithBothSides) {
