@@ -6,6 +6,8 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "support/temp_folder.h"
 #include "tools/osm/map_areas.h"
@@ -94,6 +96,28 @@ TEST(Antimeridian, PlacesElsewhereAreThoseOfTheFile) {
         is_there |= p == glm::dvec2(std::stod(fmt::format("{:.7f}", longitude + 0.01)), latitude);
     EXPECT_TRUE(is_there) << longitude;
   }
+}
+
+TEST(Antimeridian, BoundsOnBothSidesOfItAreOneRectangle) {
+  const LonLatBox west{{179.9, -17}, {180, -16.5}}, east{{-180, -17.2}, {-179.8, -16.6}},
+      both{{179.9, -17.2}, {-179.8, -16.5}};
+  for (const std::vector<LonLatBox>& boxes :
+       {std::vector{west, east}, std::vector{east, west}, std::vector{both}}) {
+    OsmCollector collector;
+    collector.begin_file();
+    for (const LonLatBox& box : boxes) collector.add_bounds(box);
+    const auto found = std::move(collector).finish().bounds;
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(place::count_on(found->low.x, 180), 179.9, 1e-9);
+    EXPECT_NEAR(place::count_on(found->high.x, 180), 180.2, 1e-9);
+    EXPECT_NEAR(found->high.x - found->low.x, 0.3, 1e-9);
+    EXPECT_EQ(found->low.y, -17.2);
+    EXPECT_EQ(found->high.y, -16.5);
+  }
+  OsmCollector swapped;
+  swapped.begin_file();
+  swapped.add_bounds({{14, 52}, {13, 53}});
+  EXPECT_FALSE(std::move(swapped).finish().bounds);
 }
 
 TEST(Antimeridian, ALampThatIsAnAreaAcrossItStandsInItsMiddle) {
