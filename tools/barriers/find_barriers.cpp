@@ -27,6 +27,7 @@ using ground_cover::Box;
 // Ground between the points of a 10 m grid is flat enough (as for draped streets).
 constexpr double max_edge_m = 10;
 
+const char* const stub = "thicker than long, aslant beside a house or a kerb";
 const char* const drawn_twice = "along a barrier that stands there";
 const char* const too_long = "beyond the first 4000 km";
 
@@ -141,9 +142,24 @@ class Builder {
     if (auto points = put_on_ground(run_, height_at_); points.size() > 1) {
       BarrierLine line{design_, std::move(points)};
       if (design_.width_m > 0) fit_ends(line);
-      set_.lines.push_back(std::move(line));
+      if (const double stub_m = find_stub_m(line); stub_m > 0) {
+        kind_->built_m -= stub_m;
+        leave_out(stub, stub_m);
+      } else {
+        set_.lines.push_back(std::move(line));
+      }
     }
     run_.clear();
+  }
+
+  // Returns the length of a line of which one side ends before it begins; 0 of others.
+  static double find_stub_m(const BarrierLine& line) {
+    if (line.points.size() != 2) return 0;
+    const double length_m = glm::distance(glm::dvec2(line.points[0]), glm::dvec2(line.points[1]));
+    const auto& [first, last] = line.ends;
+    const double shorter_side_m =
+        length_m + std::min(last.left_m + first.right_m, last.right_m + first.left_m);
+    return shorter_side_m > 0 ? 0 : length_m;
   }
 
   // Joins the last two segments of a run where they are one straight line and the last is short,

@@ -201,6 +201,17 @@ TEST(FindBarriers, ThickWallsEndAtBothKerbsOfAStreet) {
   EXPECT_GE(east, 4u);
 }
 
+TEST(FindBarriers, AStubThatIsThickerThanLongIsLeftOutAndCounted) {
+  osm::OsmData map;
+  map.highways = {way({{200, -400}, {200, 400}}, {{"highway", "residential"}})};  // 5.5 m wide
+  map.barriers = {thick_wall({{250, 150}, {197.05, 97.05}})};  // 0.2 m beyond the western kerb
+  const BarrierSet set = find(map);
+  EXPECT_EQ(set.lines.size(), 1u);
+  EXPECT_NEAR(set.report.left_out_m.at("thicker than long, aslant beside a house or a kerb"),
+              0.2 * std::sqrt(2), 0.005);
+  for (const glm::dvec3& p : find_corners(set)) EXPECT_GE(p.x, 202.745);
+}
+
 TEST(FindBarriers, AWallAlongAHouseKeepsItsLength) {
   osm::OsmData map;
   map.barriers = {thick_wall({{10.2, -30}, {10.2, 5}}), thick_wall({{100, 100}, {100, 140}})};
