@@ -20,6 +20,22 @@ inline bool comes_before(const Line& a, const Line& b) {
       [](const glm::dvec2& p, const glm::dvec2& q) { return comes_before(p, q); });
 }
 
+/// Returns whether the line turned round would come before it.
+inline bool runs_back(const Line& line) {
+  return std::lexicographical_compare(
+      line.rbegin(), line.rend(), line.begin(), line.end(),
+      [](const glm::dvec2& p, const glm::dvec2& q) { return comes_before(p, q); });
+}
+/// Returns whether `a` comes before `b` if the directions of lines do not matter.
+inline bool comes_before_either_way(const Line& a, const Line& b) {
+  const auto order = [](const glm::dvec2& p, const glm::dvec2& q) { return comes_before(p, q); };
+  const auto compare = [&](auto first, auto last) {
+    return runs_back(b) ? std::lexicographical_compare(first, last, b.rbegin(), b.rend(), order)
+                        : std::lexicographical_compare(first, last, b.begin(), b.end(), order);
+  };
+  return runs_back(a) ? compare(a.rbegin(), a.rend()) : compare(a.begin(), a.end());
+}
+
 struct PointOrder {
   bool operator()(const glm::dvec2& a, const glm::dvec2& b) const { return comes_before(a, b); }
 };

@@ -68,11 +68,28 @@ Line move_left(const Line& line, bool closed, double by_m) {
   return out;
 }
 
+// Moves the ends of both sides along the first and the last segment.
+void cut_ends(const BarrierLine& barrier, Line& left, Line& right) {
+  const Line& line = barrier.points;
+  const auto outward = [](const glm::dvec3& before, const glm::dvec3& end) {
+    const double length = glm::distance(glm::dvec2(before), glm::dvec2(end));
+    return length > 0 ? (end - before) / length : glm::dvec3(0);
+  };
+  const glm::dvec3 back = outward(line[1], line[0]),
+                   ahead = outward(line[line.size() - 2], line.back());
+  // Whoever looks back has the left side of the line on the right.
+  left.front() += back * barrier.ends[0].right_m;
+  right.front() += back * barrier.ends[0].left_m;
+  left.back() += ahead * barrier.ends[1].left_m;
+  right.back() += ahead * barrier.ends[1].right_m;
+}
+
 void make_box(const BarrierLine& barrier, std::vector<Corners>& out) {
   const std::size_t n = barrier.points.size(), sides = barrier.closed ? n : n - 1;
   const double half_m = barrier.kind.width_m / 2, top_m = barrier.kind.height_m;
-  const Line left = move_left(barrier.points, barrier.closed, half_m),
-             right = move_left(barrier.points, barrier.closed, -half_m);
+  Line left = move_left(barrier.points, barrier.closed, half_m),
+       right = move_left(barrier.points, barrier.closed, -half_m);
+  if (!barrier.closed) cut_ends(barrier, left, right);
   for (std::size_t i = 0; i < sides; ++i) {
     const std::size_t j = (i + 1) % n;
     add_side(right[i], right[j], -foot_m, top_m, out);

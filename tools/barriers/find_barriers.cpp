@@ -6,10 +6,13 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/barriers/ground_line.h"
 #include "tools/barriers/measured_way.h"
+#include "tools/barriers/obstacles.h"
 #include "tools/barriers/openings.h"
 #include "tools/ground_cover/clip_segment.h"
 #include "tools/ground_cover/way_line.h"
@@ -21,17 +24,10 @@ namespace {
 
 using ground_cover::Box;
 
-// Places are asked this far apart: half of what a person passes.
-constexpr double step_m = 0.5;
 // Ground between the points of a 10 m grid is flat enough (as for draped streets).
 constexpr double max_edge_m = 10;
-// On a bank it is not: points are added until the ground lies within so much of the edges.
-constexpr double max_gap_m = 0.1;
 
-const char* const in_building = "in a building or below a bridge";
-const char* const on_carriageway = "on a carriageway";
-const char* const beyond_ground = "beyond the ground";
-const char* const opening = "open at gates and paths";
+const char* const stub = "thicker than long, aslant beside a house or a kerb";
 const char* const drawn_twice = "along a barrier that stands there";
 const char* const too_long = "beyond the first 4000 km";
 
@@ -41,16 +37,15 @@ class Builder {
           const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
           const place::InsideBuilding& inside)
       : openings_(map),
-        cover_(cover),
+        obstacles_(cover, height_at, inside),
         bounds_(bounds),
         to_frame_(to_frame),
-        height_at_(height_at),
-        inside_(inside) {}
+        height_at_(height_at) {}
 
   void add(const osm::OsmWay& way) {
-    const MeasuredWay line = measure(way, to_frame_, openings_);
     const char* reason = nullptr;
     const auto design = read_design(way.tags, reason);
+    const MeasuredWay line = measure(way, to_frame_, openings_, design ? design->kind.width_m : 0);
     kind_ = &find_kind(ground_cover::tag_of(way.tags, "barrier"));
     ++kind_->ways;
     kind_->mapped_m += line.length_m();
@@ -83,14 +78,6 @@ class Builder {
 
   void leave_out(const char* reason, double length_m) {
     if (length_m > 0) set_.report.left_out_m[reason] += length_m;
-  }
-
-  // Returns why no barrier can stand at a place; null where one can.
-  const char* find_obstacle(const glm::dvec2& place) const {
-    if (inside_ && inside_(place)) return in_building;
-    if (const auto* surface = cover_.surface_at(place); surface && surface->marked)
-      return on_carriageway;
-    return height_at_(place) ? nullptr : beyond_ground;
   }
 
   // Returns whether another barrier stands along the segment, and remembers it.
@@ -129,19 +116,15 @@ class Builder {
     leave_out(beyond_ground, length_m - (to_m - from_m));
     if (from_m > 0) end_run();
     length_m_ += to_m - from_m;
-    const std::vector<double> cuts = line.find_cuts(i, from_m, to_m, step_m);
-    for (std::size_t n = 0; n + 1 < cuts.size(); ++n) {
-      const double middle = (cuts[n] + cuts[n + 1]) / 2;
-      const auto at = [&](double s) { return glm::mix(a, b, s / length_m); };
-      const char* obstacle =
-          line.is_open_at(line.at_m[i] + middle) ? opening : find_obstacle(at(middle));
-      if (obstacle) {
+    for (const Stretch& part : obstacles_.find_stretches(line, i, from_m, to_m)) {
+      if (part.obstacle) {
         end_run();
-        leave_out(obstacle, cuts[n + 1] - cuts[n]);
+        leave_out(part.obstacle, part.to_m - part.from_m);
         continue;
       }
-      extend_run(at(cuts[n]), at(cuts[n + 1]), n + 2 == cuts.size());
-      kind_->built_m += cuts[n + 1] - cuts[n];
+      const auto at = [&](double s) { return glm::mix(a, b, s / length_m); };
+      extend_run(at(part.from_m), at(part.to_m), part.to_m == to_m);
+      kind_->built_m += part.to_m - part.from_m;
     }
     if (to_m < length_m) end_run();
   }
@@ -155,9 +138,54 @@ class Builder {
   void end_run() {
     if (run_.empty()) return;
     if (run_.back() != run_end_) run_.push_back(run_end_);
-    if (auto points = put_on_ground(run_); points.size() > 1)
-      set_.lines.push_back({design_, std::move(points)});
+    drop_short_end();
+    if (auto points = put_on_ground(run_, height_at_); points.size() > 1) {
+      BarrierLine line{design_, std::move(points)};
+      if (design_.width_m > 0) fit_ends(line);
+      if (const double stub_m = find_stub_m(line); stub_m > 0) {
+        kind_->built_m -= stub_m;
+        leave_out(stub, stub_m);
+      } else {
+        set_.lines.push_back(std::move(line));
+      }
+    }
     run_.clear();
+  }
+
+  // Returns the length of a line of which one side ends before it begins; 0 of others.
+  static double find_stub_m(const BarrierLine& line) {
+    if (line.points.size() != 2) return 0;
+    const double length_m = glm::distance(glm::dvec2(line.points[0]), glm::dvec2(line.points[1]));
+    const auto& [first, last] = line.ends;
+    const double shorter_side_m =
+        length_m + std::min(last.left_m + first.right_m, last.right_m + first.left_m);
+    return shorter_side_m > 0 ? 0 : length_m;
+  }
+
+  // Joins the last two segments of a run where they are one straight line and the last is short,
+  // so that its sides may end anywhere on it.
+  void drop_short_end() {
+    if (run_.size() < 3) return;
+    const glm::dvec2 &a = run_[run_.size() - 3], &b = run_[run_.size() - 2], &c = run_.back();
+    const glm::dvec2 along = c - a, half = b - a;
+    constexpr double straight_m = 1e-6;
+    if (glm::distance(b, c) < max_edge_m / 2 &&
+        std::abs(along.x * half.y - along.y * half.x) <= straight_m * glm::length(along))
+      run_.erase(run_.end() - 2);
+  }
+
+  void fit_ends(BarrierLine& line) const {
+    const auto blocks = [&](const glm::dvec2& place) { return obstacles_.blocks(place); };
+    const auto fit = [&](const glm::dvec3& end, const glm::dvec3& before) {
+      const glm::dvec2 along = glm::dvec2(end) - glm::dvec2(before);
+      const double length_m = glm::length(along);
+      return length_m > 0
+                 ? find_end(glm::dvec2(end), along / length_m, design_.width_m, length_m, blocks)
+                 : BarrierEnd();
+    };
+    const std::vector<glm::dvec3>& points = line.points;
+    line.ends[0] = fit(points[0], points[1]);
+    line.ends[1] = fit(points.back(), points[points.size() - 2]);
   }
 
   // Joins the first and the last run of a closed way, which is cut at its first point.
@@ -168,47 +196,15 @@ class Builder {
     if (glm::dvec2(first.points.front()) != seam || glm::dvec2(last.points.back()) != seam) return;
     if (&first == &last) {
       first.closed = first.points.size() > 3;
-      if (first.closed) first.points.pop_back();
+      if (first.closed) {
+        first.points.pop_back();
+        first.ends[0] = first.ends[1] = {};
+      }
       return;
     }
     last.points.insert(last.points.end(), first.points.begin() + 1, first.points.end());
+    last.ends[1] = first.ends[1];
     set_.lines.erase(set_.lines.begin() + static_cast<std::ptrdiff_t>(first_run));
-  }
-
-  // An end that lies beyond the ground or on a kerb has the height of its neighbour.
-  std::vector<glm::dvec3> put_on_ground(const std::vector<glm::dvec2>& places) const {
-    std::vector<std::optional<double>> heights;
-    for (const glm::dvec2& p : places) heights.push_back(height_at_(p));
-    std::optional<double> known;
-    for (const auto& height : heights)
-      if (height && !known) known = height;
-    std::vector<glm::dvec3> points;
-    for (std::size_t i = 0; i < places.size() && known; ++i) {
-      known = heights[i] ? heights[i] : known;
-      const glm::dvec3 point(places[i], *known);
-      if (!points.empty()) add_bends(glm::dvec3(points.back()), point, points);
-      points.push_back(point);
-    }
-    return points;
-  }
-
-  // Adds the points between two at which the ground bends.
-  void add_bends(const glm::dvec3& from, const glm::dvec3& to,
-                 std::vector<glm::dvec3>& points) const {
-    const double steps = std::ceil(glm::distance(glm::dvec2(from), glm::dvec2(to)) / step_m);
-    double worst_m = max_gap_m;
-    std::optional<glm::dvec3> bend;
-    for (double k = 1; k < steps; ++k) {
-      const glm::dvec3 p = glm::mix(from, to, k / steps);
-      const auto height = height_at_(glm::dvec2(p));
-      if (!height || std::abs(*height - p.z) <= worst_m) continue;
-      worst_m = std::abs(*height - p.z);
-      bend = {p.x, p.y, *height};
-    }
-    if (!bend) return;
-    add_bends(from, *bend, points);
-    points.push_back(*bend);
-    add_bends(*bend, to, points);
   }
 
   // Adds an area whose outline is free all along; returns whether it was.
@@ -222,7 +218,7 @@ class Builder {
       const double steps = std::max(1.0, std::ceil(glm::distance(a, b) / step_m));
       for (double k = 0; k < steps; ++k) {
         const glm::dvec2 p = glm::mix(a, b, k / steps);
-        if (find_obstacle(p)) return false;
+        if (obstacles_.find(p)) return false;
         if (k == 0 || glm::distance(ring.back(), p) > max_edge_m - step_m) ring.push_back(p);
       }
     }
@@ -238,7 +234,7 @@ class Builder {
     const mesh::PlaneLayer layer{{{ring}, 0}};
     try {
       const mesh::PlanePartition plan = mesh::partition({&layer, 1});
-      area.points = put_on_ground(plan.points);
+      area.points = put_on_ground(plan.points, height_at_);
       for (const auto& triangle : plan.triangles) area.triangles.push_back(triangle.vertex);
     } catch (const Error&) {  // its outline crosses itself too often
       return false;
@@ -249,11 +245,10 @@ class Builder {
   static constexpr double max_area_outline_m = 10'000;
 
   Openings openings_;
-  const ground_cover::Cover& cover_;
+  Obstacles obstacles_;
   const Box& bounds_;
   const place::LonLatToFrame& to_frame_;
   const place::HeightAt& height_at_;
-  const place::InsideBuilding& inside_;
   BarrierSet set_;
   BarrierReport::Kind* kind_ = nullptr;  // of the present way
   BarrierKind design_{};                 // of the present way
@@ -271,15 +266,18 @@ BarrierSet find_barriers(const osm::OsmData& map, const ground_cover::Cover& cov
                          const place::HeightAt& height_at, const place::InsideBuilding& inside) {
   std::vector<const osm::OsmWay*> ways;
   for (const osm::OsmWay& way : map.barriers) ways.push_back(&way);
-  const auto order_of = [](const osm::OsmWay* way) {
+  // The most solid come first, then the higher and the wider ones, whatever their order in the map.
+  const auto key = [](const osm::OsmWay* way) {
     const auto kinds = barrier_kinds();
     const std::string value = ground_cover::tag_of(way->tags, "barrier");
-    return std::find_if(kinds.begin(), kinds.end(),
-                        [&](const BarrierKind& kind) { return kind.value == value; }) -
-           kinds.begin();
+    const auto row = std::find_if(kinds.begin(), kinds.end(),
+                                  [&](const BarrierKind& kind) { return kind.value == value; });
+    const char* reason = nullptr;
+    const BarrierDesign design = read_design(way->tags, reason).value_or(BarrierDesign());
+    return std::tuple(row - kinds.begin(), -design.kind.height_m, -design.kind.width_m);
   };
   std::stable_sort(ways.begin(), ways.end(),
-                   [&](const auto* a, const auto* b) { return order_of(a) < order_of(b); });
+                   [&](const auto* a, const auto* b) { return key(a) < key(b); });
   Builder builder(map, cover, bounds, to_frame, height_at, inside);
   for (const osm::OsmWay* way : ways) builder.add(*way);
   return builder.take();

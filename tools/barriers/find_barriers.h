@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/barriers/barrier_ends.h"
 #include "tools/barriers/barrier_kind.h"
 #include "tools/ground_cover/cover.h"
 #include "tools/osm/osm_data.h"
@@ -21,6 +22,7 @@ struct BarrierLine {
   BarrierKind kind;
   std::vector<glm::dvec3> points;  // E, N, H of the city's frame, m
   bool closed = false;             // the last point is joined to the first
+  BarrierEnd ends[2] = {};         // of thick ones: at the first and the last point
 };
 
 /// A hedge or a wall as wide as its outline says.
@@ -51,7 +53,7 @@ struct BarrierSet {
 constexpr double max_length_m = 4e6;
 
 /// Finds the barriers that stand on the ground within `bounds` (E, N, m): neither in buildings nor
-/// on the carriageways of `cover`, and open at gates and where a path meets them. Of several
+/// on the carriageways of `cover`, which both sides of thick ones end at, and open at gates and where a path meets them. Of several
 /// barriers along one line the most solid stands.
 BarrierSet find_barriers(const osm::OsmData& map, const ground_cover::Cover& cover,
                          const ground_cover::Box& bounds, const place::LonLatToFrame& to_frame,

@@ -51,8 +51,9 @@ std::vector<double> MeasuredWay::find_cuts(std::size_t segment, double from_m, d
 }
 
 MeasuredWay measure(const osm::OsmWay& way, const place::LonLatToFrame& to_frame,
-                    const Openings& openings) {
+                    const Openings& openings, double thickness_m) {
   MeasuredWay line;
+  std::vector<glm::dvec2> nodes;  // of the points
   for (const glm::dvec2& lon_lat : way.lon_lat) {
     const glm::dvec2 p = to_frame(lon_lat);
     if (!finite(p)) continue;
@@ -60,8 +61,19 @@ MeasuredWay measure(const osm::OsmWay& way, const place::LonLatToFrame& to_frame
         line.points.empty() ? 0 : line.at_m.back() + glm::distance(line.points.back(), p);
     line.points.push_back(p);
     line.at_m.push_back(s);
-    if (const double width_m = openings.width_at(lon_lat); width_m > 0)
-      line.openings_m.emplace_back(s - width_m / 2, s + width_m / 2);
+    nodes.push_back(lon_lat);
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    double length_m = openings.width_at(nodes[i]);
+    if (!(length_m > 0)) continue;
+    for (const std::size_t first : {i - 1, i}) {  // of the segments that meet there
+      if (first >= nodes.size() - 1) continue;    // beyond an end
+      const glm::dvec2 along = line.points[first + 1] - line.points[first];
+      if (const double m = glm::length(along); m > 0)
+        length_m =
+            std::max(length_m, openings.length_along(nodes[i], along / m, thickness_m, to_frame));
+    }
+    line.openings_m.emplace_back(line.at_m[i] - length_m / 2, line.at_m[i] + length_m / 2);
   }
   line.openings_m = join_spans(std::move(line.openings_m));
   return line;

@@ -25,7 +25,8 @@ struct MeasuredWay {
                                 double step_m) const;
 };
 
+/// `thickness_m`: of the barrier.
 MeasuredWay measure(const osm::OsmWay& way, const place::LonLatToFrame& to_frame,
-                    const Openings& openings);
+                    const Openings& openings, double thickness_m = 0);
 
 }  // namespace nightcity::barriers

@@ -5,6 +5,7 @@
 #include "tools/osm/map_areas.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/resolution.h"
+#include "tools/place/longitude.h"
 #include "tools/today.h"
 
 namespace nightcity::barriers {
@@ -13,7 +14,7 @@ namespace {
 osm::OsmWay to_way(const std::vector<glm::dvec2>& ring, const osm::OsmTags& tags) {
   osm::OsmWay way{0, {}, tags};
   for (const glm::dvec2& p : ring)  // rounded, so that gates on a ring are found
-    way.lon_lat.emplace_back(osm::round_degrees(p.x), osm::round_degrees(p.y));
+    way.lon_lat.emplace_back(osm::round_degrees(place::count_on(p.x, 0)), osm::round_degrees(p.y));
   way.lon_lat.push_back(way.lon_lat.front());
   return way;
 }

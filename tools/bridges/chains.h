@@ -41,7 +41,7 @@ struct Chain {
 };
 
 /// Joins ways of one kind where they meet end to end, those that go on straightest first; a street
-/// or track on the ground that meets them there ends both. `ways`: by id; each has two points or
+/// or track on the ground that meets them there ends both. Each of `ways` has two points or
 /// more. A chain begins at the lesser of its end nodes, so the directions of ways do not matter.
 std::vector<Chain> join_chains(std::span<const PlacedWay> ways, const GroundNodes& ground);
 

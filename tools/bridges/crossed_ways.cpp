@@ -65,7 +65,7 @@ std::vector<Crossing> CrossedWays::find(const Chain& chain) const {
       const double sine = std::max(std::abs(cross(u, v)), min_sine);
       const double half_m = (way.half_m + chain.half_m * std::abs(glm::dot(u, v))) / sine;
       found.push_back(
-          {segments_[number].way, at_m + *share * length_m, half_m, a + (b - a) * *share});
+          {segments_[number].way, first, at_m + *share * length_m, half_m, a + (b - a) * *share});
     }
     at_m += length_m;
   }

@@ -13,6 +13,7 @@ namespace nightcity::bridges {
 /// A place where a chain crosses a way in the plane.
 struct Crossing {
   std::size_t way;      // into the ways
+  std::size_t segment;  // of that way, by its first point
   double at_m, half_m;  // along the chain: its middle, and half its length there
   glm::dvec2 place;
 };

@@ -1,8 +1,9 @@
 #include "tools/bridges/deck_ways.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "tools/place/between.h"
 
 namespace nightcity::bridges {
 namespace {
@@ -13,7 +14,8 @@ osm::OsmTags drop_bridge_tags(osm::OsmTags tags) {
 }
 
 // Returns the part of a line between two distances from its start.
-std::vector<glm::dvec2> cut(const PlacedWay& way, double from_m, double to_m) {
+std::vector<glm::dvec2> cut(const PlacedWay& way, double from_m, double to_m,
+                            const place::LonLatToFrame& to_frame) {
   std::vector<glm::dvec2> part;
   double at_m = 0;
   for (std::size_t i = 0; i + 1 < way.line.size(); ++i) {
@@ -21,7 +23,8 @@ std::vector<glm::dvec2> cut(const PlacedWay& way, double from_m, double to_m) {
     const double from = std::max(from_m, at_m), to = std::min(to_m, at_m + length_m);
     if (from < to) {
       const auto at = [&](double s) {
-        return glm::mix(way.lon_lat[i], way.lon_lat[i + 1], (s - at_m) / length_m);
+        return place::find_between(way.lon_lat[i], way.lon_lat[i + 1], (s - at_m) / length_m,
+                                   to_frame);
       };
       if (part.empty()) part.push_back(at(from));
       part.push_back(at(to));
@@ -40,7 +43,7 @@ void add_ends(const osm::OsmWay& way, const BridgeDecks::Lifted& lifted, const D
   for (const auto& [from_m, to_m] : stretches) {
     if (!(from_m < to_m)) continue;
     const double a = (from_m - lifted.from_m) * sign, b = (to_m - lifted.from_m) * sign;
-    std::vector<glm::dvec2> part = cut(placed, std::min(a, b), std::max(a, b));
+    std::vector<glm::dvec2> part = cut(placed, std::min(a, b), std::max(a, b), to_frame);
     if (part.size() > 1) out.push_back({way.id, std::move(part), drop_bridge_tags(way.tags)});
   }
 }

@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <string>
 #include <utility>
 
-#include "formats/finite.h"
 #include "tools/bridges/bridge_decks.h"
+#include "tools/bridges/clearances.h"
 #include "tools/bridges/crossed_ways.h"
+#include "tools/bridges/placed_map.h"
 #include "tools/ground_cover/measured_line.h"
-#include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
-#include "tools/osm/osm_selection.h"
 
 namespace nightcity::bridges {
 namespace {
@@ -28,19 +27,6 @@ bool has_contact_line(const osm::OsmTags& tags) {
   return ground_cover::tag_of(tags, "electrified") == "contact_line";
 }
 
-// Squares and platforms, as areas or lines.
-bool is_square(const osm::OsmTags& tags) {
-  const std::string highway = ground_cover::tag_of(tags, "highway");
-  if (is_bridge(tags) || ground_cover::lies_inside(tags)) return false;
-  return highway == "platform" || ground_cover::tag_of(tags, "railway") == "platform" ||
-         (!highway.empty() && osm::says_area(tags));
-}
-
-bool leads_up(const osm::OsmTags& tags) {
-  const std::string highway = ground_cover::tag_of(tags, "highway");
-  return highway == "steps" || highway == "elevator" || highway == "corridor";
-}
-
 }  // namespace
 
 // Finds decks in the order of their layers, so that a bridge knows how high those are that it
@@ -49,15 +35,15 @@ class DeckFinder {
  public:
   DeckFinder(const BridgeMap& map, const place::LonLatToFrame& to_frame,
              const place::HeightAt& height_at)
-      : height_at_(height_at) {
-    place_ways(map, to_frame);
-    chains_ = join_chains(bridges_, ground_);
+      : height_at_(height_at),
+        map_(place_map(map, to_frame)),
+        chains_(join_chains(map_.bridges, map_.ground)) {
     for (std::size_t c = 0; c < chains_.size(); ++c)
       for (const NodeKey& node : chains_[c].nodes) chains_at_[node].push_back(c);
   }
 
   BridgeDecks find() {
-    const CrossedWays crossed(ways_);
+    const CrossedWays crossed(map_.ways);
     crossed_ = &crossed;
     std::vector<std::size_t> order(chains_.size());
     for (std::size_t c = 0; c < order.size(); ++c) order[c] = c;
@@ -85,35 +71,6 @@ class DeckFinder {
     EndKind kind = EndKind::air;
     double height_m = 0;  // of the deck that it ends on
   };
-
-  void place_ways(const BridgeMap& map, const place::LonLatToFrame& to_frame) {
-    std::vector<const osm::OsmWay*> all;
-    for (const auto& list : {map.highways, map.railways})
-      for (const osm::OsmWay& way : list) all.push_back(&way);
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto* a, const auto* b) { return a->id < b->id; });
-    const osm::OsmWay* before = nullptr;
-    for (const osm::OsmWay* way : all) {
-      // A track in a street is in both lists.
-      if (before && before->id == way->id && before->lon_lat == way->lon_lat) continue;
-      before = way;
-      const auto kind = find_carried(way->tags);
-      if (kind && !is_bridge(way->tags)) note_ground(*way, *kind);
-      if (is_square(way->tags)) note_ground(*way, Carried::path);
-      if (!kind) continue;
-      PlacedWay placed = place_way(*way, *kind, to_frame);
-      if (placed.line.size() < 2) continue;
-      if (is_bridge(way->tags)) bridges_.push_back(placed);
-      ways_.push_back(std::move(placed));
-    }
-  }
-
-  void note_ground(const osm::OsmWay& way, Carried kind) {
-    std::set<NodeKey>& nodes =
-        leads_up(way.tags) ? stairs_ : ground_.of_kind[static_cast<std::size_t>(kind)];
-    for (const glm::dvec2& lon_lat : way.lon_lat)
-      if (finite(lon_lat)) nodes.insert(to_key(lon_lat));
-  }
 
   // Returns whether the chain is decided now.
   bool lift(std::size_t c) {
@@ -183,7 +140,7 @@ class DeckFinder {
 
   End find_end(std::size_t c, const NodeKey& node) const {
     const Carried kind = chains_[c].kind;
-    if (ground_.is_abutment(node, kind)) return {EndKind::abutment};
+    if (map_.ground.is_abutment(node, kind)) return {EndKind::abutment};
     // A path may end on a street's bridge, and the other way round, and neither on a railway's.
     for (const std::size_t other : chains_at_.at(node)) {
       if (other == c || (kind == Carried::rail) != (chains_[other].kind == Carried::rail)) continue;
@@ -195,21 +152,24 @@ class DeckFinder {
       if (const auto height = decks_.height_at(chains_[other].layer, place))
         return {EndKind::on_deck, *height};
     }
-    return {kind != Carried::rail && stairs_.contains(node) ? EndKind::stairs : EndKind::air};
+    return {kind != Carried::rail && map_.stairs.contains(node) ? EndKind::stairs : EndKind::air};
   }
 
   void add_clearances(const Chain& chain, double from_m, DeckCourse& course) const {
     for (const Crossing& crossing : crossed_->find(chain)) {
-      const PlacedWay& way = ways_[crossing.way];
+      const PlacedWay& way = map_.ways[crossing.way];
       const double at_m = crossing.at_m - from_m;
       if (way.layer >= chain.layer || at_m < 0 || at_m > course.length_m) continue;
-      const auto on_deck = decks_.find_place(way.way->id, crossing.place);
-      const auto surface_m = on_deck ? std::optional(on_deck->z) : height_at_(crossing.place);
-      if (!surface_m) continue;
+      const auto surface_at = [&](const glm::dvec2& place) {
+        const auto on_deck = decks_.find_place(way.way->id, place);
+        return on_deck ? std::optional(on_deck->z) : height_at_(place);
+      };
       const CarriedKind kind = find_kind(way.kind, has_contact_line(way.way->tags));
-      course.clearances.push_back({at_m - crossing.half_m, at_m + crossing.half_m,
-                                   *surface_m + kind.clear_m + deck_m,
-                                   *surface_m + kind.least_clear_m + deck_m});
+      for (Clearance one : find_clearances(chain, way, crossing, kind, surface_at)) {
+        one.from_m -= from_m;
+        one.to_m -= from_m;
+        course.clearances.push_back(one);
+      }
     }
   }
 
@@ -233,7 +193,7 @@ class DeckFinder {
           !std::all_of(chain.line.begin(), chain.line.end(), lies_on))
         continue;
       for (const Chain::Part& part : chain.parts)
-        decks_.lifted_.try_emplace(bridges_[part.way].way->id,
+        decks_.lifted_.try_emplace(map_.bridges[part.way].way->id,
                                    BridgeDecks::Lifted{d, 0, false, true});
       states_[c] = State::lifted;
       return true;
@@ -262,7 +222,7 @@ class DeckFinder {
     if (course.last_m) deck.in_ground_m[1] = find_way_out(course, deck.heights_m, true);
     double at_m = -from_m;
     for (const Chain::Part& part : chain.parts) {
-      const PlacedWay& way = bridges_[part.way];
+      const PlacedWay& way = map_.bridges[part.way];
       const double length_m = ground_cover::MeasuredLine(way.line).length_m();
       decks_.lifted_.try_emplace(
           way.way->id,
@@ -299,9 +259,7 @@ class DeckFinder {
   }
 
   const place::HeightAt& height_at_;
-  std::vector<PlacedWay> ways_, bridges_;  // by id: all, and those that are bridges
-  GroundNodes ground_;
-  std::set<NodeKey> stairs_;
+  PlacedMap map_;
   std::vector<Chain> chains_;
   std::map<NodeKey, std::vector<std::size_t>> chains_at_;
   std::vector<State> states_;

@@ -64,8 +64,7 @@ std::vector<Line> join_lines(std::vector<Line> lines) {
   const auto order = [](const Line& a, const Line& b) { return comes_before(a, b); };
   // A line and its reverse are the same.
   for (Line& line : lines)
-    if (Line reversed(line.rbegin(), line.rend()); comes_before(reversed, line))
-      line = std::move(reversed);
+    if (runs_back(line)) std::reverse(line.begin(), line.end());
   std::sort(lines.begin(), lines.end(), order);
   std::vector<Line> joined = Joiner(std::move(lines)).join();
   std::sort(joined.begin(), joined.end(), order);

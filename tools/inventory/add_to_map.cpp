@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "tools/place/longitude.h"
+
 namespace nightcity::inventory {
 namespace {
 
@@ -45,12 +47,14 @@ class Nearby {
   // No degree along a parallel is taken longer than it is, so that near places share a cell or have
   // neighbouring ones.
   glm::dvec2 to_metres(const glm::dvec2& lon_lat) const {
-    return glm::dvec2(lon_lat.x * scale_, lon_lat.y) * metres_a_degree;
+    const double east =
+        lamps_.empty() ? lon_lat.x : place::count_on(lon_lat.x, lamps_[0].lon_lat.x);
+    return glm::dvec2(east * scale_, lon_lat.y) * metres_a_degree;
   }
 
   static glm::dvec2 shorten(const glm::dvec2& a, const glm::dvec2& b) {
     const double scale = std::cos(a.y * std::numbers::pi / 180);
-    return glm::dvec2((b.x - a.x) * scale, b.y - a.y) * metres_a_degree;
+    return glm::dvec2((place::count_on(b.x, a.x) - a.x) * scale, b.y - a.y) * metres_a_degree;
   }
 
   std::int64_t cell(double metres) const {

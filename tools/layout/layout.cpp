@@ -29,12 +29,6 @@ const char* name_of(SiteFault fault) {
   return names[static_cast<int>(fault)];
 }
 
-/// Sorts main roads first, then brighter ones: they get their places before lesser streets do.
-auto rank(const streets::Street& street) {
-  return std::tuple(static_cast<int>(lighting_of(street).tier), -lighting_of(street).flux_lm,
-                    street.pieces.front().way_id, street.pieces.front().from_m);
-}
-
 class Layouter {
  public:
   Layouter(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
@@ -54,9 +48,6 @@ class Layouter {
         for (const std::string& text : read.unread)
           ++report_.notes["tag of a way not understood: " + text];
     }
-    // The result must not depend on the order of the file.
-    std::sort(lit.begin(), lit.end(),
-              [](const osm::OsmWay* a, const osm::OsmWay* b) { return a->id < b->id; });
     network_ = streets::make_street_network(lit, to_frame);
     sites_.emplace(network_, unlit, to_frame, height_at, inside);
     for (std::uint32_t n = 0; n < lamps_.first(); ++n)
@@ -68,9 +59,8 @@ class Layouter {
     std::vector<std::size_t> order;
     for (std::size_t s = 0; s < plans_.size(); ++s)
       if (in_model(network_.streets[s])) order.push_back(s);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return rank(network_.streets[a]) < rank(network_.streets[b]);
-    });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
     for (const std::size_t s : order) plan(s);
     for (const std::size_t s : order)
       for (const std::size_t joint : network_.streets[s].joints) light_joint(joint);
@@ -83,6 +73,13 @@ class Layouter {
   }
 
  private:
+  // Sorts main roads first, then brighter ones: they get their places before lesser streets do. Of
+  // equal ones the network's order decides, which the ids of ways and their order do not change.
+  std::tuple<int, double, std::size_t> rank(std::size_t s) const {
+    const lights::RoadLighting& road = lighting_of(network_.streets[s]);
+    return {static_cast<int>(road.tier), -road.flux_lm, s};
+  }
+
   bool in_model(const osm::OsmWay& way, const place::LonLatToFrame& to_frame) const {
     return std::any_of(way.lon_lat.begin(), way.lon_lat.end(), [&](const glm::dvec2& lon_lat) {
       const glm::dvec2 p = to_frame(lon_lat);
@@ -108,7 +105,7 @@ class Layouter {
     plan.wanted = *wanted;
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
 
-    // Take the side with fewer obstacles, or the right one if both are alike. Twin carriageways get
+    // Take the side with fewer obstacles, or the southern one if both are alike. Twin carriageways get
     // their lamps on their outer sides.
     const int parts = parts_of(street, plan.design);
     int faults[2] = {0, 0}, blocked = 0, tried = 0;
@@ -159,8 +156,7 @@ class Layouter {
     double widest_other = 0;
     for (const streets::Joint::End& end : joint.ends) {
       if (!plans_[end.street].lit) continue;
-      if (!best || rank(network_.streets[end.street]) < rank(network_.streets[best->street]))
-        best = &end;
+      if (!best || rank(end.street) < rank(best->street)) best = &end;
     }
     if (!best) return;
     for (const streets::Joint::End& end : joint.ends)

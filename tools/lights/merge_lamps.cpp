@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/line.h"
+
 namespace nightcity::lights {
 namespace {
 
@@ -63,7 +65,8 @@ std::size_t merge_lamps(double distance_m, LampSet& set) {
   std::vector<std::size_t> by_flux(lamps.size());
   std::iota(by_flux.begin(), by_flux.end(), std::size_t{0});
   std::stable_sort(by_flux.begin(), by_flux.end(), [&lamps](std::size_t a, std::size_t b) {
-    return lamps[a].flux_lm > lamps[b].flux_lm;
+    if (lamps[a].flux_lm != lamps[b].flux_lm) return lamps[a].flux_lm > lamps[b].flux_lm;
+    return comes_before(glm::dvec2(lamps[a].foot), glm::dvec2(lamps[b].foot));
   });
   std::vector<bool> is_settled(lamps.size()), is_gone(lamps.size());
   std::vector<double> flux(lamps.size());

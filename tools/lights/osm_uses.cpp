@@ -162,7 +162,8 @@ std::optional<BuildingUse> OsmUses::at(const glm::dvec2& place) const {
   const Outline* smallest = nullptr;
   for (const std::uint32_t number : cell->second) {
     const Outline& outline = outlines_[number];
-    if ((!smallest || outline.area_m2 < smallest->area_m2) && in_ring(outline.ring, place))
+    const auto key = [](const Outline& one) { return std::pair(one.area_m2, one.use); };
+    if ((!smallest || key(outline) < key(*smallest)) && in_ring(outline.ring, place))
       smallest = &outline;
   }
   return smallest ? std::optional(smallest->use) : std::nullopt;

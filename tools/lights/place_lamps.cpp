@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <numbers>
+#include <tuple>
 #include <unordered_set>
 
-#include "formats/rgb9e5.h"
+#include "tools/lights/lamp_aims.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"
 #include "tools/lights/lamp_values.h"
@@ -16,6 +15,7 @@
 #include "tools/lights/photometry.h"
 #include "tools/lights/road_index.h"
 #include "tools/lights/taken_places.h"
+#include "tools/line.h"
 #include "tools/random.h"
 
 namespace nightcity::lights {
@@ -31,11 +31,6 @@ std::uint32_t hash_id(std::int64_t node, int luminaire, int attempt) {
       mix(key + static_cast<std::uint64_t>(attempt) * splitmix_increment) >> 32);
 }
 
-glm::dvec2 rotated(const glm::dvec2& v, double radians) {
-  const double c = std::cos(radians), s = std::sin(radians);
-  return {c * v.x - s * v.y, s * v.x + c * v.y};
-}
-
 class Placer {
  public:
   Placer(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
@@ -49,7 +44,11 @@ class Placer {
         roads_(osm.highways, to_frame) {}
 
   LampSet place() {
-    for (const osm::OsmLampNode& node : osm_.lamps) place(node);
+    std::vector<Post> posts;
+    for (const osm::OsmLampNode& node : osm_.lamps) find_post(node, posts);
+    leave_out_duplicates(posts);
+    for (const Post& post : posts)
+      if (!post.is_duplicate) place(post);
     set_.profiles = std::move(profiles_.profiles);
     set_.profile_data = std::move(profiles_.data);
     return std::move(set_);
@@ -58,23 +57,54 @@ class Placer {
  private:
   void leave_out(std::string_view reason) { ++set_.left_out[std::string(reason)]; }
 
-  void place(const osm::OsmLampNode& node) {
-    const LampTags tags = read_lamp_tags(node.tags, half_at(node.lon_lat.y));
+  struct Post {
+    const osm::OsmLampNode* node;
+    LampTags tags;
+    glm::dvec2 at;
+    bool is_duplicate = false;
+  };
+
+  void find_post(const osm::OsmLampNode& node, std::vector<Post>& posts) {
+    LampTags tags = read_lamp_tags(node.tags, half_at(node.lon_lat.y));
     for (const auto& [text, count] : tags.unread)
       set_.notes[(node.is_inventory ? "inventory value not understood: " : "tag not understood: ") +
                  text] += count;
     if (tags.unlit) return leave_out(tags.outage);
-    glm::dvec2 at = to_frame_(node.lon_lat);
+    const glm::dvec2 at = to_frame_(node.lon_lat);
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) return leave_out("outside the projection");
     if (!height_at_(at)) return leave_out("outside the model");
-    if (!taken_.take(at)) return leave_out("duplicate");
+    posts.push_back({&node, std::move(tags), at});
+  }
 
+  /// Of posts in one place an inventory's stays, then the one of which the map says more; their ids
+  /// and their order do not matter.
+  void leave_out_duplicates(std::vector<Post>& posts) {
+    std::vector<Post*> order;
+    for (Post& post : posts) order.push_back(&post);
+    std::stable_sort(order.begin(), order.end(), [](const Post* a, const Post* b) {
+      const auto key = [](const osm::OsmLampNode& node) {
+        return std::tuple(!node.is_inventory, -static_cast<std::ptrdiff_t>(node.tags.size()));
+      };
+      if (key(*a->node) != key(*b->node)) return key(*a->node) < key(*b->node);
+      if (a->at != b->at) return comes_before(a->at, b->at);
+      return a->node->tags < b->node->tags;
+    });
+    for (Post* post : order)
+      if (!taken_.take(post->at)) {
+        post->is_duplicate = true;
+        leave_out("duplicate");
+      }
+  }
+
+  void place(const Post& post) {
+    glm::dvec2 at = post.at;
     const auto road = roads_.nearest(at);
     const bool moved = step_out(at, road);
     const auto height = height_at_(at);
     if (!height) return leave_out("outside the model");
-    const double foot = options_.heights_from_tags ? tags.ele_m.value_or(*height) : *height;
-    add_post(node, tags, {at.x, at.y, foot}, moved ? ValueSource::rule : ValueSource::tag, road);
+    const double foot = options_.heights_from_tags ? post.tags.ele_m.value_or(*height) : *height;
+    add_post(*post.node, post.tags, {at.x, at.y, foot},
+             moved ? ValueSource::rule : ValueSource::tag, road);
   }
 
   /// Moves a post that stands inside a building out of it, towards its road. Returns whether it
@@ -116,7 +146,7 @@ class Placer {
       lamp.way_id = road->road->way_id;
       lamp.along_m = road->along_m;
     }
-    const std::vector<glm::dvec2> aims = find_aims(node, tags, foot, road);
+    const std::vector<glm::dvec2> aims = find_aims(node.lon_lat, tags, foot, road, to_frame_);
     if (aims.size() > 2 && lamp.provenance.flux != ValueSource::inventory)
       lamp.flux_lm *= 2.0 / static_cast<double>(aims.size());  // clusters share two lamps' light
     std::optional<double> to_centreline_m;
@@ -181,50 +211,6 @@ class Placer {
     return glm::dvec2(0);
   }
 
-  /// Returns one direction for each luminaire: as tagged, otherwise towards the road. Several
-  /// luminaires of one direction spread evenly round the post; of several directions each has the
-  /// next luminaire in turn.
-  std::vector<glm::dvec2> find_aims(const osm::OsmLampNode& node, const LampTags& tags,
-                                    const glm::dvec3& foot,
-                                    const std::optional<RoadIndex::Nearest>& road) const {
-    std::vector<glm::dvec2> aims;
-    for (const double degrees : tags.directions_degrees)
-      if (const auto aim = aim_from_bearing(node.lon_lat, degrees)) aims.push_back(*aim);
-    if (aims.empty()) {
-      glm::dvec2 aim(0, 1);
-      if (road) {
-        const glm::dvec2 across(-road->along.y, road->along.x);
-        const glm::dvec2 towards = road->point - glm::dvec2(foot);
-        // A post on the centreline lights across the road.
-        aim = road->distance_m > 0.05 ? towards / glm::length(towards) : across;
-      }
-      aims.push_back(aim);
-    }
-    const std::size_t directions = aims.size(),
-                      wanted =
-                          std::max<std::size_t>(directions, static_cast<std::size_t>(tags.count));
-    for (std::size_t n = directions; n < wanted; ++n)
-      aims.push_back(directions > 1
-                         ? aims[n % directions]
-                         : rotated(aims.front(), 2 * std::numbers::pi * static_cast<double>(n) /
-                                                     static_cast<double>(wanted)));
-    return aims;
-  }
-
-  /// Returns the direction of a bearing in the frame. A bearing counts from true north and the
-  /// frame has grid north; projecting a point ahead accounts for the difference.
-  std::optional<glm::dvec2> aim_from_bearing(const glm::dvec2& lon_lat, double degrees) const {
-    constexpr double step = 1e-4;  // degrees of latitude: 11 m
-    const double bearing = glm::radians(degrees);
-    const double shrink = std::max(0.01, std::cos(glm::radians(lon_lat.y)));
-    const glm::dvec2 ahead(lon_lat.x + step * std::sin(bearing) / shrink,
-                           lon_lat.y + step * std::cos(bearing));
-    const glm::dvec2 aim = to_frame_(ahead) - to_frame_(lon_lat);
-    const double length = glm::length(aim);
-    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-    return aim / length;
-  }
-
   std::uint32_t unused_id(std::int64_t node, int luminaire) {
     for (int attempt = 0;; ++attempt) {
       const std::uint32_t id = hash_id(node, luminaire, attempt);
@@ -281,27 +267,6 @@ LampSet place_lamps(const osm::OsmData& osm, const place::LonLatToFrame& to_fram
                     const place::HeightAt& height_at, const place::InsideBuilding& inside,
                     const LampOptions& options) {
   return Placer(osm, to_frame, height_at, inside, options).place();
-}
-
-Light to_light(const PlacedLamp& lamp, const Georeference& georeference, ScheduleTable& schedules) {
-  const glm::dvec3 centre(lamp.foot.x + lamp.outreach.x, lamp.foot.y + lamp.outreach.y,
-                          lamp.foot.z + lamp.mounting_height_m);
-  // Model space: X east, Y up, Z south. The tilt turns axis and tangent together about a horizontal
-  // line.
-  const glm::dvec3 down(0, -1, 0), aim(lamp.aim.x, 0, -lamp.aim.y);
-  const double c = std::cos(glm::radians(lamp.tilt_degrees)),
-               s = std::sin(glm::radians(lamp.tilt_degrees));
-  Light light{};
-  light.position = glm::vec3(georeference.to_model(centre));
-  light.radius = static_cast<float>(lamp.radius_m);
-  light.axis = glm::normalize(glm::vec3(down * c + aim * s));
-  light.tangent = glm::normalize(glm::vec3(aim * c - down * s));
-  light.flux_lm = static_cast<float>(lamp.flux_lm);
-  light.colour_rgb9e5 = encode_rgb9e5(lamp.colour);
-  light.kind_profile = pack_kind_profile(LightKind::sphere, lamp.profile);
-  light.schedule = lamp.hours ? schedules.add(*lamp.hours) : LIGHT_ALWAYS_ON;
-  light.id = lamp.id;
-  return light;
 }
 
 }  // namespace nightcity::lights

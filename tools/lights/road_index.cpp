@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <tuple>
 
 #include "tools/roads/carriageway.h"
 
@@ -25,6 +26,15 @@ std::int64_t cell_of(double coordinate) {
 }
 
 }  // namespace
+
+bool RoadIndex::comes_first(const Piece& a, const Piece& b) const {
+  const auto key = [&](const Piece& piece) {
+    const Road& road = roads_[piece.road];
+    return std::tuple(static_cast<int>(road.lighting->tier), -road.lighting->flux_lm, -road.width_m,
+                      piece.a.x, piece.a.y, piece.b.x, piece.b.y);
+  };
+  return key(a) < key(b);
+}
 
 void RoadIndex::add(const osm::OsmWay& way, const std::vector<glm::dvec2>& line) {
   const auto carriageway = roads::read_carriageway(way.tags);
@@ -54,6 +64,7 @@ void RoadIndex::add(const osm::OsmWay& way, const std::vector<glm::dvec2>& line)
 
 std::optional<RoadIndex::Nearest> RoadIndex::nearest(const glm::dvec2& p) const {
   std::optional<Nearest> best;
+  const Piece* best_piece = nullptr;
   double best_score = std::numeric_limits<double>::infinity();
   for (std::int64_t x = cell_of(p.x) - 1; x <= cell_of(p.x) + 1; ++x)
     for (std::int64_t y = cell_of(p.y) - 1; y <= cell_of(p.y) + 1; ++y) {
@@ -69,8 +80,11 @@ std::optional<RoadIndex::Nearest> RoadIndex::nearest(const glm::dvec2& p) const 
         if (distance > nearest_road_m) continue;
         const double score = distance - road.width_m / 2 +
                              (road.lighting->tier == roads::RoadTier::path ? path_handicap_m : 0);
-        if (score >= best_score) continue;
+        // Two ways are equally near at a node that they share.
+        if (score > best_score || (score == best_score && !comes_first(piece, *best_piece)))
+          continue;
         best_score = score;
+        best_piece = &piece;
         best = Nearest{&road, point, glm::normalize(edge), distance,
                        piece.from_m + t * glm::length(edge)};
       }

@@ -41,7 +41,8 @@ class RoadIndex {
     }
   }
 
-  /// Returns the road whose edge is nearest, if p lies within nearest_road_m of its centreline.
+  /// Returns the road whose edge is nearest, if p lies within nearest_road_m of its centreline; of
+  /// equally near ones the main road.
   /// Paths must be clearly nearer than streets; otherwise pavements mapped as ways of their own
   /// would get the street's lamps.
   std::optional<Nearest> nearest(const glm::dvec2& p) const;
@@ -53,6 +54,8 @@ class RoadIndex {
     double from_m;  // where a lies along the way
   };
   void add(const osm::OsmWay& way, const std::vector<glm::dvec2>& line);
+  // Decides between pieces that are equally near: the main road, whatever the order of the file.
+  bool comes_first(const Piece& a, const Piece& b) const;
 
   std::vector<Road> roads_;
   std::vector<Piece> pieces_;

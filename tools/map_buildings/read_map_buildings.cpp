@@ -22,6 +22,7 @@
 #include "tools/osm/days.h"
 #include "tools/osm/first_nodes.h"
 #include "tools/osm/map_areas.h"
+#include "tools/place/longitude.h"
 #include "tools/ring_area.h"
 #include "tools/today.h"
 
@@ -208,7 +209,7 @@ city::CityHead read_map_head(const std::filesystem::path& file, const city::Read
   head.srs_name = "EPSG:4326";
   std::vector<double> lon, lat;
   for (const glm::dvec2& p : osm::read_first_nodes(file, nodes)) {
-    lon.push_back(p.x);
+    lon.push_back(place::count_on(p.x, lon.empty() ? p.x : lon.front()));
     lat.push_back(p.y);
   }
   if (lon.empty()) return head;

@@ -23,8 +23,9 @@ namespace nightcity::osm {
 
 class AreaCollector : public osmium::handler::Handler {
  public:
-  AreaCollector(const AreaSelection& selection, const OuterWays& outer_ways)
-      : selection_(selection), outer_ways_(outer_ways) {}
+  AreaCollector(const AreaSelection& selection, const OuterWays& outer_ways,
+                const AreaPlaces& places)
+      : selection_(selection), outer_ways_(outer_ways), places_(places) {}
 
   void area(const osmium::Area& area) {
     const bool from_way = area.from_way();
@@ -78,9 +79,9 @@ class AreaCollector : public osmium::handler::Handler {
   }
 
   // Removes what newer versions have replaced or deleted.
-  MapAreas finish(const AreaPlaces& places, const TooLongAreas& too_long) && {
+  MapAreas finish(const TooLongAreas& too_long) && {
     areas.too_long = too_long.ways.size() + too_long.relations;
-    for (const auto& [id, version] : places.deleted_ways) {
+    for (const auto& [id, version] : places_.deleted_ways) {
       const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
       if (known != newest_.end() && known->second.version < version) clear(known->second);
     }
@@ -89,12 +90,13 @@ class AreaCollector : public osmium::handler::Handler {
           known != newest_.end())
         clear(known->second);
     const auto is_missing = [&](osmium::object_id_type id) {
-      return !made_ways_.contains(id) && !places.deleted_ways.contains(id) &&
+      return !made_ways_.contains(id) && !places_.deleted_ways.contains(id) &&
              !too_long.ways.contains(id) && !outer_ways_.replaced().contains(id);
     };
-    for (const auto id : places.closed_ways) areas.broken += is_missing(id);
-    for (const auto id : places.open_ways) areas.open_ways += is_missing(id);
+    for (const auto id : places_.closed_ways) areas.broken += is_missing(id);
+    for (const auto id : places_.open_ways) areas.open_ways += is_missing(id);
     std::erase_if(areas.areas, [](const MapArea& area) { return area.rings.empty(); });
+    if (is_east_ && is_west_) count_on(areas.areas);
     return std::move(areas);
   }
 
@@ -110,10 +112,25 @@ class AreaCollector : public osmium::handler::Handler {
     for (std::size_t n = state.begin; n < state.end; ++n) areas.areas[n].rings.clear();
   }
 
-  static std::vector<glm::dvec2> copy(const osmium::NodeRefList& ring) {
+  // Counts the longitudes in the west of a map across the antimeridian on beyond 180 degrees.
+  static void count_on(std::vector<MapArea>& areas) {
+    const auto turn = [](std::vector<glm::dvec2>& ring) {
+      for (glm::dvec2& p : ring)
+        if (p.x < 0) p.x += 360;
+    };
+    for (MapArea& area : areas)
+      for (MapRings& rings : area.rings) {
+        turn(rings.outer);
+        for (std::vector<glm::dvec2>& hole : rings.holes) turn(hole);
+      }
+  }
+
+  std::vector<glm::dvec2> copy(const osmium::NodeRefList& ring) {
     std::vector<glm::dvec2> out;
     for (const osmium::NodeRef& node : ring) {
-      const glm::dvec2 p(node.location().lon(), node.location().lat());
+      const osmium::Location place = places_.find_own(node.location());
+      const glm::dvec2 p(place.lon(), place.lat());
+      if (places_.is_turned()) (p.x > 0 ? is_east_ : is_west_) = true;
       if (out.empty() || out.back() != p) out.push_back(p);
     }
     while (out.size() > 1 && out.back() == out.front()) out.pop_back();
@@ -122,6 +139,8 @@ class AreaCollector : public osmium::handler::Handler {
 
   const AreaSelection& selection_;
   const OuterWays& outer_ways_;
+  const AreaPlaces& places_;
+  bool is_east_ = false, is_west_ = false;  // on the far side of the globe
   std::unordered_map<osmium::object_id_type, State> newest_;
   std::unordered_set<osmium::object_id_type> made_ways_;
 };

@@ -9,6 +9,8 @@
 #include <osmium/osm/way.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -16,7 +18,8 @@
 
 namespace nightcity::osm {
 
-/// Gives ways the places of their nodes, unless they hold them themselves.
+/// Gives ways the places of their nodes, unless they hold them themselves. A map that lies on the far
+/// side of the globe is turned by 180 degrees, so that areas across the antimeridian are whole.
 class AreaPlaces : public osmium::handler::Handler {
  public:
   explicit AreaPlaces(const AreaSelection& selection) : selection_(selection) {}
@@ -25,6 +28,7 @@ class AreaPlaces : public osmium::handler::Handler {
     if (sorted_) throw osmium::out_of_order_error("a node behind a way", node.id());
     if (!node.location().valid()) return;
     if (!select_tags(node.tags(), selection_).empty()) points.insert(node.id());
+    balance_ += lies_beyond(node.location()) ? 1 : -1;
     (node.id() < 0 ? of_editor_ : places_).set(node.positive_id(), node.location());
   }
 
@@ -44,8 +48,19 @@ class AreaPlaces : public osmium::handler::Handler {
           way.nodes().empty() || way.nodes().front().ref() == way.nodes().back().ref();
       (closed ? closed_ways : open_ways).insert(way.id());
     }
-    for (osmium::NodeRef& node : way.nodes())
+    for (osmium::NodeRef& node : way.nodes()) {
       if (!node.location().valid()) node.set_location(find(node.ref()));
+      if (!node.location().valid()) continue;
+      // Maps without nodes have their places in ways: the first one decides.
+      if (balance_ == 0) balance_ = lies_beyond(node.location()) ? 1 : -1;
+      if (is_turned()) node.set_location(turn(node.location()));
+    }
+  }
+
+  bool is_turned() const { return balance_ > 0; }
+  /// Returns the place that a node of the map has.
+  osmium::Location find_own(const osmium::Location& place) const {
+    return is_turned() ? turn(place) : place;
   }
 
   std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
@@ -53,6 +68,15 @@ class AreaPlaces : public osmium::handler::Handler {
   std::unordered_set<osmium::object_id_type> points;                  // that are selected
 
  private:
+  static constexpr std::int32_t half_turn = 180 * osmium::detail::coordinate_precision;
+
+  static bool lies_beyond(const osmium::Location& place) {
+    return std::abs(place.x()) > half_turn / 2;
+  }
+  static osmium::Location turn(const osmium::Location& place) {
+    return {place.x() > 0 ? place.x() - half_turn : place.x() + half_turn, place.y()};
+  }
+
   // A reference may be any number, and the smallest has no opposite among the signed ones.
   osmium::Location find(osmium::object_id_type id) const {
     const auto number = static_cast<osmium::unsigned_object_id_type>(id);
@@ -62,6 +86,8 @@ class AreaPlaces : public osmium::handler::Handler {
   const AreaSelection& selection_;
   using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
   Index places_, of_editor_;
+  std::int64_t balance_ =
+      0;  // of nodes: those farther than 90 degrees east or west, less the others
   bool sorted_ = false;
 };
 

@@ -52,7 +52,7 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
   ObjectCheck check;
   RelationGate gate(manager, selection, too_long);
   AreaPlaces places(selection);
-  AreaCollector collector(selection, outer_ways);
+  AreaCollector collector(selection, outer_ways, places);
   const auto collect = [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, collector); };
   std::size_t points = 0;
   if (const auto document = find_osm_document(file)) {
@@ -76,7 +76,7 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
     osmium::apply(reader, check, places, manager.handler(collect));
     reader.close();
   }
-  MapAreas areas = std::move(collector).finish(places, too_long);
+  MapAreas areas = std::move(collector).finish(too_long);
   areas.points = points + places.points.size();
   std::size_t incomplete = 0;
   manager.for_each_incomplete_relation([&](const osmium::relations::RelationHandle& handle) {

@@ -14,7 +14,8 @@
 
 namespace nightcity::osm {
 
-/// Longitude and latitude in degrees; rings are open.
+/// Longitude and latitude in degrees; rings are open. In a map across the antimeridian, longitudes
+/// in the west count on beyond 180 degrees.
 struct MapRings {
   std::vector<glm::dvec2> outer;
   std::vector<std::vector<glm::dvec2>> holes;

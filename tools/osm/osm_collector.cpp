@@ -10,6 +10,7 @@
 #include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/resolution.h"
+#include "tools/place/longitude.h"
 
 namespace nightcity::osm {
 namespace {
@@ -30,8 +31,10 @@ glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
   const bool closed = points.size() > 1 && points.front() == points.back();
   const std::size_t count = points.size() - (closed ? 1 : 0);
   glm::dvec2 sum(0);
-  for (std::size_t n = 0; n < count; ++n) sum += points[n];
-  return sum / static_cast<double>(count);
+  for (std::size_t n = 0; n < count; ++n)
+    sum += glm::dvec2(place::count_on(points[n].x, points[0].x), points[n].y);
+  sum /= static_cast<double>(count);
+  return {place::count_on(sum.x, 0), sum.y};
 }
 
 }  // namespace
@@ -86,14 +89,19 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   pending_.push_back({{id, {}, std::move(tags)}, std::move(nodes), key, version.rank(), file_});
 }
 
-void OsmCollector::add_bounds(const LonLatBox& box) {
-  if (!on_globe(box.low) || !on_globe(box.high) || box.low.x > box.high.x || box.low.y > box.high.y)
-    return;
+void OsmCollector::add_bounds(LonLatBox box) {
+  if (!on_globe(box.low) || !on_globe(box.high) || box.low.y > box.high.y) return;
+  // Across the antimeridian west is greater than east (RFC 7946, section 5.2).
+  if (box.low.x > box.high.x) box.high.x = place::count_on(box.high.x, box.low.x);
+  if (box.low.x > box.high.x) return;
   if (bounded_files_ == 0 || bounded_file_ != file_) ++bounded_files_;
   bounded_file_ = file_;
   if (!data_.bounds) data_.bounds = box;
-  data_.bounds =
-      LonLatBox{glm::min(data_.bounds->low, box.low), glm::max(data_.bounds->high, box.high)};
+  LonLatBox& all = *data_.bounds;
+  const double middle = (box.low.x + box.high.x) / 2,
+               turn = place::count_on(middle, (all.low.x + all.high.x) / 2) - middle;
+  if (turn != 0) box.low.x += turn, box.high.x += turn;
+  all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
 }
 
 void OsmCollector::add_relation(const OsmTags& tags) {

@@ -53,7 +53,7 @@ class OsmCollector {
   void add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes, OsmTags tags);
   void add_relation(const OsmTags& tags);
   /// Adds the rectangle that a file says it holds; it may say several.
-  void add_bounds(const LonLatBox& box);
+  void add_bounds(LonLatBox box);
   void add_remark(std::string text) { data_.remarks.push_back(std::move(text)); }
 
   /// Gives the ways their coordinates and returns everything. Of several versions of an element the

@@ -50,7 +50,8 @@ struct OsmWay {
   }
 };
 
-/// A rectangle of longitudes and latitudes, degrees.
+/// A rectangle of longitudes and latitudes, degrees. Across the antimeridian longitudes are counted
+/// on beyond 180 or -180.
 struct LonLatBox {
   glm::dvec2 low{0, 0}, high{0, 0};
 };

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <string_view>
+#include <tuple>
 #include <utility>
+
+#include "tools/line.h"
 
 namespace nightcity::streets {
 namespace {
@@ -51,6 +55,20 @@ void append(Run& to, const Run& next) {
   to.street.road.width_m = std::max(to.street.road.width_m, next.street.road.width_m);
   if (to.street.name.empty()) to.street.name = next.street.name;
   to.last = next.last;
+}
+
+// An order of runs that their places and tags decide. Ids only tell apart ways that are drawn twice.
+bool comes_first(const Run& a, const Run& b) {
+  const Street &x = a.street, &y = b.street;
+  if (comes_before_either_way(x.line, y.line)) return true;
+  if (comes_before_either_way(y.line, x.line)) return false;
+  if (comes_before(x.line, y.line)) return true;
+  if (comes_before(y.line, x.line)) return false;
+  const auto key = [](const Street& street) {
+    return std::tuple(-street.road.width_m, std::string_view(street.road.road_class->highway),
+                      std::string_view(street.name), street.pieces.front().way_id);
+  };
+  return key(x) < key(y);
 }
 
 class NetworkBuilder {
@@ -112,13 +130,14 @@ class NetworkBuilder {
   }
 
   StreetNetwork build(Joining joining) {
-    joined_.assign(runs_.size(), false);
-    if (joining == Joining::same_road) join();
+    order(joining);
+    if (joining == Joining::same_road) {
+      join();
+      order(joining);
+    }
     StreetNetwork network;
     std::map<NodeKey, std::size_t> joints;
-    for (std::size_t r = 0; r < runs_.size(); ++r) {
-      if (joined_[r]) continue;
-      Run& run = runs_[r];
+    for (Run& run : runs_) {
       const std::size_t index = network.streets.size();
       for (const bool at_start : {true, false}) {
         const auto [joint, is_new] =
@@ -135,9 +154,19 @@ class NetworkBuilder {
   }
 
  private:
+  /// Sorts the runs, so that the order of the ways and their ids decide nothing. Where streets are
+  /// joined, neither do their directions.
+  void order(Joining joining) {
+    if (joining == Joining::same_road)
+      for (Run& run : runs_)
+        if (runs_back(run.street.line)) reverse(run);
+    std::stable_sort(runs_.begin(), runs_.end(), comes_first);
+  }
+
   /// Joins two runs of one road if nothing else meets them at their common end.
   void join() {
     std::map<NodeKey, std::vector<std::size_t>> ends;
+    joined_.assign(runs_.size(), false);
     for (std::size_t r = 0; r < runs_.size(); ++r) {
       ends[runs_[r].first].push_back(r);
       ends[runs_[r].last].push_back(r);
@@ -149,6 +178,8 @@ class NetworkBuilder {
         reverse(runs_[r]);
       }
     }
+    std::size_t n = 0;
+    std::erase_if(runs_, [&](const Run&) { return joined_[n++]; });
   }
 
   void grow(std::size_t r, const std::map<NodeKey, std::vector<std::size_t>>& ends) {

@@ -60,7 +60,9 @@ enum class Joining {
   never       // a street is a part of one way and has its direction
 };
 
-/// Makes the graph of these ways. Ways meet where they share a node. `to_frame` is that of
+/// Makes the graph of these ways. Ways meet where they share a node. Streets come in an order that
+/// their places decide, whatever the order of the ways and their ids; those that may be joined lead
+/// from their western end to the eastern one. `to_frame` is that of
 /// place_lamps; points that it maps to no finite place are left out.
 StreetNetwork make_street_network(const std::vector<const osm::OsmWay*>& ways,
                                   const std::function<glm::dvec2(const glm::dvec2&)>& to_frame,

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "tools/place/between.h"
+
 namespace nightcity::traffic {
 namespace {
 
@@ -30,10 +32,10 @@ class Clipper {
   }
 
  private:
-  bool ground(const glm::dvec2& lon_lat) const {
-    const glm::dvec2 p = to_frame_(lon_lat);
+  bool ground_at(const glm::dvec2& p) const {
     return std::isfinite(p.x) && std::isfinite(p.y) && height_at_(p);
   }
+  bool ground(const glm::dvec2& lon_lat) const { return ground_at(to_frame_(lon_lat)); }
 
   /// Finds where the ground begins and ends between two nodes, without the nodes themselves.
   void cross(const glm::dvec2& a, const glm::dvec2& b, double step_m) {
@@ -45,25 +47,29 @@ class Clipper {
     }
     const int steps = std::max(1, static_cast<int>(std::ceil(length / step_m)));
     double at = 0;
-    bool in = ground(a);
+    bool in = ground_at(pa);
     for (int k = 1; k <= steps; ++k) {
       const double next = static_cast<double>(k) / steps;
-      const bool next_in = ground(glm::mix(a, b, next));
+      const bool next_in = ground_at(glm::mix(pa, pb, next));
       if (next_in != in) {
-        cut(border(a, b, at, next, in), !in);
+        cut(in ? border(a, b, at, next) : border(a, b, next, at), !in);
         in = next_in;
       }
       at = next;
     }
   }
 
-  glm::dvec2 border(const glm::dvec2& a, const glm::dvec2& b, double low, double high,
-                    bool low_in) const {
+  /// Returns the last place with ground on the way from a share of the line that has ground to one
+  /// that has none.
+  glm::dvec2 border(const glm::dvec2& a, const glm::dvec2& b, double in, double out) const {
+    const glm::dvec2 pa = to_frame_(a), pb = to_frame_(b);
     for (int k = 0; k < 12; ++k) {
-      const double middle = (low + high) / 2;
-      (ground(glm::mix(a, b, middle)) == low_in ? low : high) = middle;
+      const double middle = (in + out) / 2;
+      (ground_at(glm::mix(pa, pb, middle)) ? in : out) = middle;
     }
-    return glm::mix(a, b, low_in ? low : high);  // the side with ground
+    // Degrees are rounded, perhaps to the far side of the border.
+    const glm::dvec2 place = place::find_between(a, b, in, to_frame_);
+    return ground(place) ? place : place::find_between(a, b, in - (out - in), to_frame_);
   }
 
   void cut(const glm::dvec2& place, bool begins) {

@@ -14,7 +14,7 @@ struct Box {
 // the first box that holds the place wins. Speeds: the limits of the national highway codes where
 // none is signed.
 constexpr Country continental = {"right-hand default", Side::right, 50, 50, 100, 130};
-constexpr std::array<Box, 21> boxes = {{
+constexpr std::array<Box, 23> boxes = {{
     {-5.45, 54.95, -0.5, 61.0, {"Great Britain", Side::left, 48, 48, 97, 113}},
     {-10.8, 51.3, -5.4, 55.5, {"Ireland", Side::left, 50, 50, 100, 120}},
     {-8.7, 49.8, 1.45, 50.9, {"Great Britain", Side::left, 48, 48, 97, 113}},
@@ -28,6 +28,8 @@ constexpr std::array<Box, 21> boxes = {{
     {97.3, 5.6, 105.6, 20.5, {"Thailand", Side::left, 50, 60, 80, 120}},
     {99.6, -11.1, 119.3, 7.4, {"Malaysia, Singapore, Indonesia", Side::left, 50, 50, 70, 90}},
     {119.3, -11.1, 141.0, 2.0, {"Indonesia", Side::left, 30, 50, 80, 100}},
+    {176.8, -21.0, 180.0, -12.4, {"Fiji", Side::left, 50, 50, 80, 80}},
+    {-180.0, -21.0, -178.2, -12.4, {"Fiji", Side::left, 50, 50, 80, 80}},
     {110.0, -48.0, 180.0, -8.0, {"Australia and New Zealand", Side::left, 50, 60, 100, 110}},
     {68.0, 6.0, 92.7, 30.5, {"India, Bangladesh, Sri Lanka, Nepal", Side::left, 40, 50, 80, 100}},
     {61.0, 23.5, 75.5, 37.1, {"Pakistan", Side::left, 40, 50, 80, 120}},

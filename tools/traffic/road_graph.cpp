@@ -4,7 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "tools/streets/street_network.h"
 #include "tools/traffic/clip_ways.h"
@@ -145,6 +148,23 @@ void mark_borders(RoadGraph& graph, const std::vector<bool>& was_cut) {
   }
 }
 
+// Returns one country for the whole map, as no town drives on both sides: that of most nodes, of two
+// the one whose name comes first. Null where no way has a node.
+const Country* find_country(const std::vector<osm::OsmWay>& highways) {
+  std::map<std::string_view, std::pair<std::size_t, const Country*>> votes;
+  for (const osm::OsmWay& way : highways)
+    for (const glm::dvec2& lon_lat : way.lon_lat) {
+      const Country& country = country_at(lon_lat);
+      auto& [count, one] = votes[country.name];
+      ++count;
+      one = &country;
+    }
+  const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
+    return a.second.first < b.second.first;
+  });
+  return most == votes.end() ? nullptr : most->second.second;
+}
+
 }  // namespace
 
 glm::dvec2 find_start_direction(const RoadEdge& edge) {
@@ -170,13 +190,11 @@ RoadGraph make_road_graph(const std::vector<osm::OsmWay>& highways,
                           const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
                           const place::InsideBuilding& inside, std::optional<Side> side) {
   GraphBuilder builder(height_at, inside);
-  const Country* country = nullptr;
+  const Country* const country = find_country(highways);
   std::unordered_map<std::int64_t, Drivable> drivable;
   ClippedWays clipped;
   for (const osm::OsmWay& way : highways) {
     if (way.lon_lat.empty()) continue;
-    // One country for the whole map: no town drives on both sides.
-    if (!country) country = &country_at(way.lon_lat[way.lon_lat.size() / 2]);
     std::string why;
     const auto read = read_drivable(way, *country, why);
     if (!read) {

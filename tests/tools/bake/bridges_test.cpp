@@ -30,9 +30,10 @@ constexpr double clear_m = 4.5, top_m = clear_m + bridges::deck_m;
 
 // Writes a map: houses around a street that a bridge of 220 m takes over another street, with lamps
 // on the bridge, below it and beside it, and a tram on it. `reversed`: the ways run the other
-// way. Returns the recipe, which ends in `more`.
+// way. `path_below`: a path runs below the whole bridge, beside its middle. Returns the recipe, which
+// ends in `more`.
 fs::path write_map_with_bridge(const fs::path& folder, const std::string& more = {},
-                               bool reversed = false) {
+                               bool reversed = false, bool path_below = false) {
   std::vector<std::string> nodes, ways;
   const auto add_node = [&](const glm::dvec2& metres, const std::string& tags = {}) {
     char place[80];
@@ -66,6 +67,8 @@ fs::path write_map_with_bridge(const fs::path& folder, const std::string& more =
   add_way({last, east}, street);
   add_way({add_node({0, -90}), add_node({0, 90})}, street);
   add_way({add_node({-105, 2}), add_node({105, 2})}, "<tag k='railway' v='tram'/>" + lifted);
+  if (path_below)
+    add_way({add_node({-100, 2}), add_node({100, 2})}, "<tag k='highway' v='footway'/>");
   const std::string lamp = "<tag k='highway' v='street_lamp'/>";
   for (const glm::dvec2& place : {glm::dvec2(-40, 7), {50, -7}, {4.2, 5.4}, {5.5, 60}, {-150, 7}})
     add_node(place, lamp);
@@ -158,6 +161,15 @@ TEST(BakeBridges, TheReportSaysHowLongTheyAre) {
   EXPECT_NEAR(report.deck_m2, deck.length_m() * 2 * deck.half_m, 1);
   EXPECT_EQ(report.bare_decks, 0u);
   EXPECT_NEAR(baked().report.cover.tracks_m.at("tram in a street"), 210, 2);
+}
+
+TEST(BakeBridges, NoPierStandsOnAPathThatPassesBetweenItsMiddleAndItsEnd) {
+  EXPECT_GT(baked().report.bridges.piers, 5u);
+  const TempFolder folder;
+  const fs::path recipe = write_map_with_bridge(folder.path(), {}, false, true);
+  const BakeReport report = bake(make_bake_options(read_recipe(recipe)), folder / "out");
+  EXPECT_EQ(report.bridges.found.built.at("streets").bridges, 1u);
+  EXPECT_EQ(report.bridges.piers, 0u);
 }
 
 TEST(BakeBridges, LampsStandOnTheDeckOrBelowIt) {

@@ -39,6 +39,79 @@ TEST(FindDecks, ABridgeOnFlatGroundClearsTheStreetThatItCrosses) {
   EXPECT_EQ(decks.report().low, 0u);
 }
 
+// Returns the least clear height between a deck and a straight street below it, over the width of
+// both. `reach_m`: how far along the street is asked.
+double find_least_clear_m(const BridgeDecks& decks, const osm::OsmWay& below,
+                          const place::HeightAt& ground, double reach_m) {
+  const glm::dvec2 a = test::to_metres(below.lon_lat[0]), b = test::to_metres(below.lon_lat[1]);
+  const glm::dvec2 middle = (a + b) / 2.0, along = glm::normalize(b - a), left(-along.y, along.x);
+  const double half_m = find_half_width_m(below.tags, Carried::street);
+  double least_m = 1e9;
+  for (double s = -reach_m; s <= reach_m; s += 0.05)
+    for (double share = -1; share <= 1; share += 0.125) {
+      const glm::dvec2 p = middle + along * s + left * (half_m * share);
+      if (const auto soffit = decks.find_soffit({p, *ground(p)}))
+        least_m = std::min(least_m, *soffit - *ground(p));
+    }
+  return least_m;
+}
+
+// A bridge that has room to rise above what it crosses on a slope.
+std::vector<osm::OsmWay> long_bridge(osm::OsmWay below) {
+  return {way(1, {{-900, 0}, {-400, 0}}, residential), way(2, {{-400, 0}, {400, 0}}, bridge),
+          way(3, {{400, 0}, {900, 0}}, residential), std::move(below)};
+}
+
+TEST(FindDecks, TheClearHeightHoldsOverTheWholeWidthOfAStreetOnASlope) {
+  for (const double east : {0.0, 0.03, -0.03})
+    for (const double north : {0.0, 0.05, -0.09}) {
+      const place::HeightAt slope = [&](const glm::dvec2& p) {
+        return std::optional(30 + east * p.x + north * p.y);
+      };
+      const std::vector<osm::OsmWay> ways = long_bridge(way(4, {{0, -300}, {0, 300}}, residential));
+      const BridgeDecks decks = find(ways, {}, slope);
+      ASSERT_EQ(decks.decks().size(), 1u);
+      EXPECT_EQ(decks.report().low, 0u);
+      const double least_m = find_least_clear_m(decks, ways[3], slope, 20);
+      EXPECT_GE(least_m, 4.49) << east << ' ' << north;
+      // The deck has places 2 m apart, between which it may rise by 8 %.
+      EXPECT_LE(least_m, 4.5 + 2 * 0.08) << east << ' ' << north;
+    }
+}
+
+TEST(FindDecks, TheClearHeightHoldsUnderTheWholeDeckOfABridgeThatCrossesAslant) {
+  for (const double degrees : {12.0, 25.0, 40.0, 70.0, 110.0, 160.0}) {
+    const double angle = degrees * 3.14159265358979 / 180;
+    const glm::dvec2 along(std::cos(angle), std::sin(angle));
+    const place::HeightAt slope = [](const glm::dvec2& p) {
+      return std::optional(30 + 0.02 * p.x + 0.07 * p.y);
+    };
+    const std::vector<osm::OsmWay> ways =
+        long_bridge(way(4, {along * -300.0, along * 300.0}, residential));
+    const BridgeDecks decks = find(ways, {}, slope);
+    ASSERT_EQ(decks.decks().size(), 1u) << degrees;
+    EXPECT_EQ(decks.report().low, 0u) << degrees;
+    EXPECT_GE(find_least_clear_m(decks, ways[3], slope, 290), 4.49) << degrees;
+  }
+}
+
+TEST(FindDecks, IdsOfWaysDecideNothing) {
+  // Two ways lead on from the end of a bridge at the same angle: either might be its deck's.
+  const auto heights = [](std::int64_t left, std::int64_t right) {
+    std::vector<osm::OsmWay> ways = test::street_over_street();
+    ways[3] = way(4, {{200, 50}, {300, 50}}, residential);
+    ways.push_back(way(left, {{100, 0}, {200, 50}}, bridge));
+    ways.push_back(way(right, {{100, 0}, {200, -50}}, bridge));
+    ways.push_back(way(9, {{200, -50}, {300, -50}}, residential));
+    const BridgeDecks decks = find(ways);
+    std::vector<double> out;
+    for (const glm::dvec2 p : {glm::dvec2{-50, 0}, {50, 0}, {100, 0}, {150, 25}, {150, -25}})
+      out.push_back(decks.height_at(1, p).value_or(0));
+    return out;
+  };
+  EXPECT_EQ(heights(7, 8), heights(8, 7));
+}
+
 TEST(FindDecks, TheOutlineHasTheLengthTimesTheWidth) {
   const BridgeDecks decks = find(test::street_over_street());
   const Deck& deck = decks.decks()[0];
@@ -118,8 +191,10 @@ TEST(FindDecks, ABridgeClearsABridgeOfALowerLayer) {
   ways.push_back(way(8, {{50, 400}, {50, 500}}, residential));
   const BridgeDecks decks = find(ways);
   ASSERT_EQ(decks.decks().size(), 2u);
+  // The lower one falls eastwards here: its highest place is below the edge of the upper one.
+  const double edge = 50 - decks.decks()[1].half_m;
   EXPECT_NEAR(decks.height_at(2, {50, 0}).value(),
-              decks.height_at(1, {50, 0}).value() + 4.5 + deck_m, 1e-6);
+              decks.height_at(1, {edge, 0}).value() + 4.5 + deck_m, 1e-6);
 }
 
 TEST(FindDecks, RampsEndOnTheBridgeThatTheyMeet) {

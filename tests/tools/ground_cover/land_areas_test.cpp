@@ -56,6 +56,21 @@ TEST(LandAreas, TheMoreSpecialOfTwoTagsAndAreasIsSeen) {
   EXPECT_EQ(cover.areas()[1].rings[0][0].x, -50);  // of one rank the smaller comes first
 }
 
+TEST(LandAreas, OfTwoKindsInOneOutlineTheOrderOfTheMapDecidesNothing) {
+  std::vector<osm::MapArea> areas{square(-50, 50, {{"leisure", "garden"}}),
+                                  square(-50, 50, {{"leisure", "garden"}, {"surface", "gravel"}})};
+  GroundKind seen[2];
+  for (GroundKind& kind : seen) {
+    Cover cover;
+    add_land(areas, as_metres, bounds, cover);
+    cover.finish();
+    ASSERT_EQ(cover.areas().size(), 2u);
+    kind = cover.areas()[0].surface.kind;
+    std::swap(areas[0], areas[1]);
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+}
+
 TEST(LandAreas, LandIsBelowStreetsOfEveryKind) {
   for (const char* highway : {"footway", "cycleway", "residential", "motorway"}) {
     const auto street = find_land_use({{"area:highway", highway}});

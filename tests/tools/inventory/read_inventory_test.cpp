@@ -473,6 +473,22 @@ TEST(Inventory, StandsInPlaceOfTheMapsLampsNearby) {
   EXPECT_EQ(set.left_out.at("broken"), 1u);
 }
 
+TEST(Inventory, LampsOfTheMapAreReplacedAcrossTheAntimeridianToo) {
+  const TempFolder folder;
+  write_text(folder / "lamps.csv", "lon,lat\n179.99999,0\n-179.99,0\n");
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  file.crs = "EPSG:4326";
+  file.within_m = 5;
+  osm::OsmData map;
+  map.lamps = {{1, {-179.99998, 0}, {}}, {2, {-179.99999, 0.001}, {}}};  // 3.3 m, and 111 m away
+  const auto reports = add_to_map({file}, map);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].replaced, 1u);
+  ASSERT_EQ(map.lamps.size(), 3u);
+  EXPECT_EQ(map.lamps[2].id, 2);
+}
+
 // As spreadsheets save "Unicode text".
 TEST(Inventory, TablesInUtf16AreRead) {
   const TempFolder folder;

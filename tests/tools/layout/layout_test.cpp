@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
@@ -288,6 +289,62 @@ TEST(Layout, TheSameWhateverTheOrderOfTheFileAndItsIdsAreNotRepeated) {
     EXPECT_EQ(a.foot, b.foot);
     EXPECT_EQ(a.flux_lm, b.flux_lm);
     EXPECT_TRUE(ids.insert(a.id).second);
+  }
+}
+
+// The places of lamps and their fluxes, in an order of their own.
+std::vector<std::array<double, 3>> places_and_fluxes(const Laid& laid) {
+  std::vector<std::array<double, 3>> out;
+  for (const lights::PlacedLamp& lamp : laid.set.lamps)
+    out.push_back({lamp.foot.x, lamp.foot.y, lamp.flux_lm});
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+// Streets of one class that meet at odd distances and angles, so that whoever comes first takes the
+// places of others.
+std::vector<osm::OsmWay> fan() {
+  std::vector<osm::OsmWay> ways;
+  for (int k = 0; k < 9; ++k) {
+    const double angle = 0.35 * k, away = 130 + 17 * k;
+    const glm::dvec2 end(std::round(100 * away * std::cos(angle)) / 100,
+                         std::round(100 * away * std::sin(angle)) / 100);
+    ways.push_back(street(20 + k, {{0, 0}, end / 2.0, end}, tags("residential")));
+    ways.push_back(street(40 + k, {end / 2.0, end / 2.0 + glm::dvec2(31, 47)}, tags("service")));
+  }
+  return ways;
+}
+
+TEST(Layout, TheSameWhateverTheIdsOfWaysTheirOrderAndDirectionAndWhereTheyAreCut) {
+  for (const std::vector<osm::OsmWay>& ways : {grid(83), fan()}) {
+    const auto expected = places_and_fluxes(lay_out(ways));
+    std::uint32_t state = 7;
+    const auto draw = [&](std::size_t below) {
+      state = state * 1664525u + 1013904223u;
+      return (state >> 8) % below;
+    };
+    for (int round = 0; round < 6; ++round) {
+      std::vector<osm::OsmWay> other;
+      for (const osm::OsmWay& way : ways) {
+        const bool is_cut = way.lon_lat.size() > 2 && draw(3) == 0;
+        other.push_back(way);
+        if (is_cut) {
+          other.back().lon_lat.pop_back();
+          other.push_back(way);
+          other.back().lon_lat.erase(other.back().lon_lat.begin());
+        }
+      }
+      for (std::size_t n = other.size(); n > 1; --n) std::swap(other[n - 1], other[draw(n)]);
+      for (osm::OsmWay& way : other)
+        if (draw(2) == 0) std::reverse(way.lon_lat.begin(), way.lon_lat.end());
+      for (std::size_t n = 0; n < other.size(); ++n)
+        other[n].id = (round % 2 ? -1 : 1) * static_cast<std::int64_t>(100 + n);
+      const auto got = places_and_fluxes(lay_out(other));
+      ASSERT_EQ(got.size(), expected.size()) << round;
+      for (std::size_t n = 0; n < got.size(); ++n)
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_NEAR(got[n][k], expected[n][k], 1e-6) << round << ", lamp " << n;
+    }
   }
 }
 

@@ -34,6 +34,17 @@ TEST(MergeLamps, TheStrongestTakesInItsNeighboursAndTheFluxStays) {
   EXPECT_EQ(sum_of_flux(set), 6500);
 }
 
+TEST(MergeLamps, TheOrderOfEqualLampsDecidesNothing) {
+  LampSet set, turned;
+  for (int n = 0; n < 60; ++n) set.lamps.push_back(lamp_at(7.0 * n, 0, 100));
+  turned.lamps.assign(set.lamps.rbegin(), set.lamps.rend());
+  merge_lamps(12, set);
+  merge_lamps(12, turned);
+  ASSERT_EQ(set.lamps.size(), turned.lamps.size());
+  for (std::size_t n = 0; n < set.lamps.size(); ++n)
+    EXPECT_EQ(set.lamps[n].foot, turned.lamps[set.lamps.size() - 1 - n].foot);
+}
+
 TEST(MergeLamps, NoLampMovesFartherThanTheDistance) {
   LampSet set;
   for (int n = 0; n < 200; ++n) set.lamps.push_back(lamp_at(3.0 * n, std::fmod(7.3 * n, 40), 100));

@@ -179,6 +179,17 @@ TEST(Lamps, TaggedDirectionCountsFromTrueNorth) {
   EXPECT_NEAR(glm::degrees(angle), 2, 0.01);
 }
 
+TEST(Lamps, OfAPostThatIsMappedTwiceTheOneStaysOfWhichTheMapSaysMore) {
+  const osm::OsmLampNode poor = lamp_at(0, 5, {}, 1),
+                         rich = lamp_at(0.1, 5.1, {{"height", "7"}, {"light:count", "1"}}, 2);
+  for (const auto& lamps : {std::vector{poor, rich}, std::vector{rich, poor}}) {
+    const LampSet set = place(lamps);
+    ASSERT_EQ(set.lamps.size(), 1u);
+    EXPECT_EQ(set.lamps[0].mounting_height_m, 7);
+    EXPECT_EQ(set.left_out.at("duplicate"), 1u);
+  }
+}
+
 TEST(Lamps, WhatIsNotPlacedIsCountedByReason) {
   const LampSet set = place({lamp_at(0, 5), lamp_at(0.1, 5.1, {}, 2),
                              lamp_at(20, 5, {{"lit", "no"}}, 3), lamp_at(2000, 5, {}, 4),

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <string>
 #include <vector>
 
 namespace nightcity::lights {
@@ -38,6 +40,22 @@ TEST(RoadIndex, AgreesWithBruteForce) {
     }
   }
   EXPECT_GT(found, 500);
+}
+
+TEST(RoadIndex, OfWaysThatShareTheNearestNodeTheOrderAndTheIdsDecideNothing) {
+  // Both ways lead away from the lamp, and are as wide.
+  std::vector<osm::OsmWay> ways{
+      {1, {{0, 0}, {-80, 60}}, {{"highway", "residential"}, {"width", "6"}}},
+      {2, {{0, 0}, {-80, -60}}, {{"highway", "tertiary"}, {"width", "6"}}},
+      {3, {{0, 0}, {-100, 0}}, {{"highway", "service"}, {"width", "6"}}}};
+  for (int round = 0; round < 3; ++round) {
+    std::rotate(ways.begin(), ways.begin() + 1, ways.end());
+    for (std::size_t n = 0; n < ways.size(); ++n) ways[n].id = static_cast<std::int64_t>(n);
+    const RoadIndex index(ways, [](const glm::dvec2& p) { return p; });
+    const auto nearest = index.nearest({8, 0});
+    ASSERT_TRUE(nearest);
+    EXPECT_EQ(std::string(nearest->road->lighting->highway), "tertiary") << round;
+  }
 }
 
 }  // namespace

@@ -74,6 +74,59 @@ TEST(RoadGraph, LanesLieBesideParkedCars) {
   }
 }
 
+// A plane as maps have them: meridians draw together towards the pole, 69 degrees north.
+glm::dvec2 to_cone(const glm::dvec2& lon_lat) {
+  constexpr double metres_a_degree = 111'320, radian = 0.017453292519943295;
+  const double from_pole = (90 - lon_lat.y) * metres_a_degree,
+               angle = (std::remainder(lon_lat.x - 180, 360)) * radian;
+  return {from_pole * std::sin(angle), 21 * metres_a_degree - from_pole * std::cos(angle)};
+}
+
+TEST(RoadGraph, LongWaysAreCutOnTheStraightLineOfThePlaneAlsoAcrossTheAntimeridian) {
+  const place::HeightAt west = [](const glm::dvec2& p) -> std::optional<double> {
+    return p.x < 3000 ? std::optional<double>(10) : std::nullopt;
+  };
+  // One way of 24 km, a part of which has ground.
+  const glm::dvec2 a(179.7, 69), b(-179.7, 69.02);
+  const RoadGraph graph = make_road_graph({{1, {a, b}, primary}}, to_cone, west, {}, Side::right);
+  ASSERT_EQ(graph.edges.size(), 2u);
+  const glm::dvec2 from = to_cone(a), along = glm::normalize(to_cone(b) - from);
+  const glm::dvec2 end = graph.edges[0].line.back();
+  EXPECT_NEAR(end.x, 3000, 0.1);
+  EXPECT_NEAR(along.x * (end.y - from.y) - along.y * (end.x - from.x), 0, 1e-3)
+      << "beside the line";
+  EXPECT_TRUE(graph.nodes[graph.edges[0].to].border);
+  EXPECT_NEAR(graph.nodes[graph.edges[0].to].height_m, 10, 1e-9);
+}
+
+TEST(RoadGraph, TheCountryIsThatOfMostNodesWhicheverWayComesFirst) {
+  // Two streets of three near the border of Thailand's box, of which one is beyond it.
+  const place::LonLatToFrame to_frame = [](const glm::dvec2& p) {
+    return (p - glm::dvec2(100, 20.5)) * 1e5;
+  };
+  std::vector<osm::OsmWay> ways{{1, {{100, 20.51}, {100.01, 20.51}}, residential},
+                                {2, {{100, 20.49}, {100.01, 20.49}}, residential},
+                                {3, {{100, 20.48}, {100.01, 20.48}}, residential}};
+  const place::HeightAt everywhere = [](const glm::dvec2&) { return std::optional(0.0); };
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(make_road_graph(ways, to_frame, everywhere, {}).country, "Thailand") << round;
+    std::rotate(ways.begin(), ways.begin() + 1, ways.end());
+  }
+}
+
+TEST(RoadGraph, TheOrderAndTheIdsOfWaysDecideNothing) {
+  std::vector<osm::OsmWay> ways{street(1, {{0, 0}, {100, 0}, {200, 0}}, residential),
+                                street(2, {{100, 0}, {100, 100}}, residential),
+                                street(3, {{100, -80}, {100, 0}}, primary)};
+  const RoadGraph first = graph_of(ways);
+  std::rotate(ways.begin(), ways.begin() + 1, ways.end());
+  for (std::size_t n = 0; n < ways.size(); ++n) ways[n].id = static_cast<std::int64_t>(77 - n);
+  const RoadGraph second = graph_of(ways);
+  ASSERT_EQ(first.edges.size(), second.edges.size());
+  for (std::size_t e = 0; e < first.edges.size(); ++e)
+    EXPECT_EQ(first.edges[e].line, second.edges[e].line) << e;
+}
+
 TEST(RoadGraph, EndsWhereTheGroundEnds) {
   const place::HeightAt west = [](const glm::dvec2& p) -> std::optional<double> {
     return p.x < 333 ? std::optional<double>(10) : std::nullopt;

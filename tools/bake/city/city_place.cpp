@@ -12,6 +12,7 @@
 #include "formats/median.h"
 #include "tools/bake/city/city.h"
 #include "tools/georeference/utm_zone.h"
+#include "tools/place/longitude.h"
 
 namespace nightcity::bake {
 namespace {
@@ -56,7 +57,7 @@ void City::report_moved_origin() const {
 std::optional<City::MapFrame> City::find_map_frame(const osm::OsmData& map) {
   std::vector<double> lon, lat;
   const auto add = [&](const glm::dvec2& p) {
-    lon.push_back(p.x);
+    lon.push_back(place::count_on(p.x, lon.empty() ? p.x : lon.front()));
     lat.push_back(p.y);
   };
   for (const osm::OsmLampNode& lamp : map.lamps) add(lamp.lon_lat);

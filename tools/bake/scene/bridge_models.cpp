@@ -101,8 +101,9 @@ std::vector<barriers::BarrierLine> find_railings(const DeckSurface& surface) {
 // Piers stand as far apart as the span that the deck's thickness is for, and have a thickness and
 // a share of the deck's width that are assumptions.
 constexpr double span_m = 20 * bridges::deck_m, pier_m = 0.8, pier_share = 0.6;
-constexpr double min_pier_m = 1.5;  // a lower deck needs none
-constexpr double in_deck_m = 0.2;   // a pier reaches into the deck, which may slope
+constexpr double min_pier_m = 1.5;   // a lower deck needs none
+constexpr double pier_step_m = 0.5;  // its foot is looked at this often, along both of its sides
+constexpr double in_deck_m = 0.2;    // a pier reaches into the deck, which may slope
 
 // Returns whether a pier may stand on what covers the ground: neither where one drives or walks nor
 // on tracks.
@@ -125,18 +126,21 @@ std::optional<barriers::BarrierLine> find_pier(const City& city, const bridges::
   const place::InsideBuilding inside = city.inside_footprint();
   barriers::BarrierLine pier{{"pier", 0, pier_m, barriers::BarrierMaterial::concrete}, {}};
   double lowest_m = soffit_m;
-  for (const double share : {-1.0, 0.0, 1.0}) {
-    const glm::dvec2 place = along.find_beside(s, share * half_m);
-    const auto ground = height_at(place);
-    if (!ground || soffit_m - *ground < min_pier_m || (inside && inside(place)) ||
-        !may_stand_on(city.cover().surface_at(place)))
-      return std::nullopt;
-    // Nor on a bridge below, or through one.
-    const auto lowest = city.bridges().decks().find_soffit({place, *ground});
-    if (lowest && *lowest < soffit_m - in_deck_m) return std::nullopt;
-    lowest_m = std::min(lowest_m, *ground);
-    if (share != 0) pier.points.emplace_back(place, 0);
-  }
+  const double steps = std::ceil(2 * half_m / pier_step_m);
+  for (double k = 0; k <= steps; ++k)
+    for (const double ahead_m : {-pier_m / 2, pier_m / 2}) {
+      const glm::dvec2 place = along.find_beside(s + ahead_m, half_m * (2 * k / steps - 1));
+      const auto ground = height_at(place);
+      if (!ground || soffit_m - *ground < min_pier_m || (inside && inside(place)) ||
+          !may_stand_on(city.cover().surface_at(place)))
+        return std::nullopt;
+      // Nor on a bridge below, or through one.
+      const auto lowest = city.bridges().decks().find_soffit({place, *ground});
+      if (lowest && *lowest < soffit_m - in_deck_m) return std::nullopt;
+      lowest_m = std::min(lowest_m, *ground);
+    }
+  for (const double left_m : {-half_m, half_m})
+    pier.points.emplace_back(along.find_beside(s, left_m), 0);
   for (glm::dvec3& p : pier.points) p.z = lowest_m;
   pier.kind.height_m = soffit_m + in_deck_m - lowest_m;
   return pier;

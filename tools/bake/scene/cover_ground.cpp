@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <map>
 #include <utility>
 
 #include "formats/error.h"
 #include "tools/bake/scene/ground_facets.h"
+#include "tools/bake/scene/kerbs.h"
 #include "tools/bake/scene/line_grid.h"
 #include "tools/mesh/partition.h"
 #include "tools/roads/road_class.h"
@@ -80,10 +80,6 @@ class GroundHeights {
   mesh::OwnerFinder finder_;
 };
 
-glm::vec3 to_model(const glm::dvec2& plan, double height) {
-  return glm::vec3(glm::dvec3(plan.x, height, -plan.y));
-}
-
 // The plan of a tile's triangles of terrain.
 Box find_plan_box(const std::vector<Stored>& ground) {
   Box box{to_plan(ground[0].corners[0]), to_plan(ground[0].corners[0])};
@@ -127,7 +123,8 @@ class Coverer {
                                                part_.ramps};
     const mesh::PlanePartition plan = mesh::partition(layers, max_outline_crossings);
     const GroundHeights heights(cut);
-    heights_.assign(plan.points.size(), std::nan(""));
+    std::vector<double> ground_m(plan.points.size(), std::nan(""));
+    Kerbs kerbs(plan);
     lowering_m_.assign(plan.points.size(), std::nan(""));
     for (const mesh::PlanePartition::Triangle& piece : plan.triangles) {
       const std::vector<std::uint32_t>& owners = plan.owners[piece.region];
@@ -140,7 +137,7 @@ class Coverer {
       made.picture = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec2& p = plan.points[piece.vertex[k]];
-        double& shared = heights_[piece.vertex[k]];
+        double& shared = ground_m[piece.vertex[k]];
         const double height = heights.find(p, middle, facet);
         if (std::isnan(shared)) shared = height;
         // Neighbours share the height of their corner to the last bit.
@@ -157,9 +154,9 @@ class Coverer {
       }
       count(made);
       out_.push_back(made);
-      remember_edges(piece, depth_m);
+      kerbs.remember(piece, depth_m);
     }
-    add_kerbs(plan);
+    kerbs.add_to(ground_m, out_);
   }
 
  private:
@@ -203,78 +200,12 @@ class Coverer {
       counts_.bare_m2 += area_m2;
   }
 
-  // An edge of a piece, from `a` to `b` counter-clockwise round it, and how deep its ends lie.
-  struct Edge {
-    std::uint32_t a, b;
-    double a_depth_m, b_depth_m;
-    double depth_at(std::uint32_t vertex) const { return vertex == a ? a_depth_m : b_depth_m; }
-    double sum_m() const { return a_depth_m + b_depth_m; }
-  };
-
-  void remember_edges(const mesh::PlanePartition::Triangle& piece, const glm::dvec3& depth_m) {
-    for (int k = 0; k < 3; ++k) {
-      const int next = (k + 1) % 3;
-      edges_.push_back({piece.vertex[k], piece.vertex[next], depth_m[k], depth_m[next]});
-    }
-  }
-
-  // Adds a kerb between two pieces of which one lies deeper: the other ends there, and the kerb
-  // faces the deeper one.
-  void add_kerbs(const mesh::PlanePartition& plan) {
-    const std::vector<std::pair<std::uint64_t, std::uint32_t>> order = sort_edges(plan);
-    for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-      if (order[i].first != order[i + 1].first) continue;
-      const Edge &first = edges_[order[i].second], &second = edges_[order[i + 1].second];
-      if (first.sum_m() > second.sum_m())
-        add_kerb(plan, first, second);
-      else if (first.sum_m() < second.sum_m())
-        add_kerb(plan, second, first);
-    }
-  }
-
-  // Returns the numbers of the edges that a kerb may stand on, with keys that the two sides of an
-  // edge share, in order: those that touch what lies deeper than the ground.
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> sort_edges(
-      const mesh::PlanePartition& plan) const {
-    std::vector<bool> is_deep(plan.points.size());
-    for (const Edge& edge : edges_) {
-      if (edge.a_depth_m > 0) is_deep[edge.a] = true;
-      if (edge.b_depth_m > 0) is_deep[edge.b] = true;
-    }
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-      const auto [least, greatest] = std::minmax(edges_[i].a, edges_[i].b);
-      if (is_deep[least] || is_deep[greatest])
-        order.emplace_back(std::uint64_t{least} << 32 | greatest, i);
-    }
-    std::sort(order.begin(), order.end());
-    return order;
-  }
-
-  void add_kerb(const mesh::PlanePartition& plan, const Edge& low, const Edge& high) {
-    const auto corner = [&](std::uint32_t vertex, const Edge& edge) {
-      glm::vec3 p = to_model(plan.points[vertex], heights_[vertex]);
-      p.y -= static_cast<float>(edge.depth_at(vertex));  // as the pieces' own corners
-      return p;
-    };
-    const glm::vec3 a_low = corner(low.a, low), b_low = corner(low.b, low),
-                    a_high = corner(low.a, high), b_high = corner(low.b, high);
-    const auto add = [&](const glm::vec3& p, const glm::vec3& q, const glm::vec3& r) {
-      if (p != q && q != r && r != p)
-        out_.push_back({{p, q, r}, to_code(GroundKind::kerb), no_id, 0, 0});
-    };
-    add(a_low, a_high, b_high);
-    add(a_low, b_high, b_low);
-  }
-
   const ground_cover::Cover& cover_;
   const ground_cover::CoverPart& part_;
   glm::dvec2 corner_;
   std::vector<Stored>& out_;
   CoverCounts& counts_;
-  // At the partition's points: of the ground, and by how much ramps lower it.
-  std::vector<double> heights_, lowering_m_;
-  std::vector<Edge> edges_;
+  std::vector<double> lowering_m_;  // by ramps, at the partition's points
 };
 
 }  // namespace
