@@ -22,6 +22,9 @@
 namespace nightcity::bake {
 namespace {
 
+// Parks and rivers that part a city are up to twice as wide.
+constexpr double between_m = 500;
+
 // Returns how a surface of an object counts in the terrain; nothing where it does not.
 std::optional<terrain::SurfaceClass> find_surface_class(city::ObjectType type,
                                                         city::SurfaceType surface) {
@@ -92,6 +95,20 @@ std::set<Tile> widened(const std::set<Tile>& occupied, double tile_m, double mar
     for (std::int32_t column = tile.column - reach; column <= tile.column + reach; ++column)
       for (std::int32_t row = tile.row - reach; row <= tile.row + reach; ++row)
         result.insert({column, row});
+  return result;
+}
+
+// Returns the tiles of a ground on elevation models: those within `margin_m` of the city, and of
+// those between them the ones within `between_m`, all inside one rectangle.
+std::set<Tile> find_ground_tiles(const std::set<Tile>& occupied, double tile_m, double margin_m) {
+  std::set<Tile> result = widened(occupied, tile_m, margin_m);
+  const auto [west, east] = std::pair(result.begin()->column, result.rbegin()->column);
+  const auto by_row = [](const Tile& a, const Tile& b) { return a.row < b.row; };
+  const auto [southmost, northmost] = std::minmax_element(result.begin(), result.end(), by_row);
+  const std::int32_t south = southmost->row, north = northmost->row;
+  for (const Tile& tile : widened(occupied, tile_m, between_m))
+    if (tile.column >= west && tile.column <= east && tile.row >= south && tile.row <= north)
+      result.insert(tile);
   return result;
 }
 
@@ -208,7 +225,7 @@ std::string GroundBuilder::add_heights(const georeference::CityFrame& frame,
   std::vector<glm::dvec3> points;
   for (std::size_t i = 0; i < beyond.size(); ++i)
     if (!std::isfinite(known[i])) points.push_back(beyond[i]);
-  const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
+  const std::set<Tile> under = find_ground_tiles(occupied_, options_.tile_m, options_.margin_m);
   const GridGround grid(heights, options_, under.size());
   for (const Tile& tile : under)
     for (const glm::dvec3& p : grid.find_heights(tile))
@@ -224,7 +241,7 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
   const std::string meeting = options_.carries_buildings
                                   ? "the map's buildings stand on it"
                                   : meet_buildings(heights, terrain_.footprint_points());
-  const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
+  const std::set<Tile> under = find_ground_tiles(occupied_, options_.tile_m, options_.margin_m);
   GridGround ground(heights, options_, under.size());
   const auto add = [&](const mesh::TriangleMesh& mesh) {
     terrain_.add(mesh, terrain::SurfaceClass::terrain);
