@@ -34,6 +34,11 @@ glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
   return sum / static_cast<double>(count);
 }
 
+// A node that a way names twice in a row would be a junction to what counts arms.
+void add_corner(OsmWay& way, const glm::dvec2& lon_lat) {
+  if (way.lon_lat.empty() || way.lon_lat.back() != lon_lat) way.lon_lat.push_back(lon_lat);
+}
+
 }  // namespace
 
 OsmCollector::Key OsmCollector::key_of(std::int64_t id) const {
@@ -120,29 +125,27 @@ const Entry* OsmCollector::find(const std::vector<Entry>& entries, const Key& ke
   return found == entries.end() || found->key != key ? nullptr : &*found;
 }
 
-/// Removes elements of which there is a newer version or an equal one before, and counts them.
+/// Removes elements of which there is a newer version or an equal one before, and counts them. The
+/// rest is sorted by id, so that no stage depends on the order in which a map was written.
 template <class Pending, class Entry>
 void OsmCollector::drop_old(std::vector<Pending>& pending, const std::vector<Entry>& newest) {
-  std::vector<const Pending*> order;
-  for (const Pending& element : pending) order.push_back(&element);
-  std::stable_sort(order.begin(), order.end(),
-                   [](const Pending* a, const Pending* b) { return a->key < b->key; });
-  std::vector<bool> drop(pending.size());
-  const Pending* kept = nullptr;
-  for (const Pending* element : order) {
-    const auto n = static_cast<std::size_t>(element - pending.data());
-    if (const Entry* entry = find(newest, element->key); entry && entry->rank > element->rank) {
-      drop[n] = true;
+  const auto by_key = [](const Pending& a, const Pending& b) { return a.key < b.key; };
+  if (!std::is_sorted(pending.begin(), pending.end(), by_key))
+    std::stable_sort(pending.begin(), pending.end(), by_key);
+  const Key* kept = nullptr;
+  std::size_t end = 0;
+  for (Pending& element : pending) {
+    if (const Entry* entry = find(newest, element.key); entry && entry->rank > element.rank) {
       ++data_.old_versions;
-    } else if (kept && kept->key == element->key) {
-      drop[n] = true;
+    } else if (kept && *kept == element.key) {
       ++data_.duplicates;
     } else {
-      kept = element;
+      Pending& place = pending[end++];
+      if (&place != &element) place = std::move(element);
+      kept = &place.key;
     }
   }
-  std::size_t n = 0;
-  std::erase_if(pending, [&](const Pending&) { return drop[n++]; });
+  pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(end), pending.end());
 }
 
 /// Moves the newest version of each point to `points`, in the resolution that ways have.
@@ -163,9 +166,9 @@ void OsmCollector::place_ways() {
     for (const OsmNodeRef& node : pending.nodes) {
       const Place* place = find(places_, key_of(node.id));
       if (place && place->lon != deleted_lon)
-        way.lon_lat.emplace_back(place->lon * resolution_degrees, place->lat * resolution_degrees);
+        add_corner(way, {place->lon * resolution_degrees, place->lat * resolution_degrees});
       else if (on_globe(node.lon_lat))
-        way.lon_lat.push_back(node.lon_lat);
+        add_corner(way, {round_degrees(node.lon_lat.x), round_degrees(node.lon_lat.y)});
       else
         ++data_.missing_nodes;
     }
