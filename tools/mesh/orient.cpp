@@ -18,6 +18,9 @@ struct Shell {
   bool consistent = true;  // no polygon had to face both ways
   bool closed = true;
   double volume = 0;  // with its polygons turned
+  // In plan: all roofs and floors, and those that face out (roofs up, floors down) less others.
+  double flat_m2 = 0, faces_out_m2 = 0;
+  bool has_walls = false;
   glm::dvec3 low{std::numeric_limits<double>::infinity()},
       high{-std::numeric_limits<double>::infinity()};
 };
@@ -39,9 +42,10 @@ class Orienter {
     for (std::size_t i = 0; i < shells_.size(); ++i) {
       const Shell& shell = shells_[i];
       open = open || !shell.closed || !shell.consistent;
-      if (!shell.consistent || !shell.closed || shell.volume == 0 || is_enclosed(i)) continue;
+      if (!shell.consistent || !is_known(shell) || is_enclosed(i)) continue;
+      const bool faces_out = shell.closed ? shell.volume > 0 : shell.faces_out_m2 > 0;
       for (const std::uint32_t p : shell.polygons) {
-        if (turned_[p] == (shell.volume > 0)) {
+        if (turned_[p] == faces_out) {
           turn(object_.polygons[p]);
           ++turned;
         }
@@ -54,6 +58,13 @@ class Orienter {
   }
 
  private:
+  // Which way is out shows in the volume of a closed shell; in an open one the file says which of
+  // its polygons are roofs and floors, of which eaves and passages may face the other way.
+  static bool is_known(const Shell& shell) {
+    return shell.closed ? shell.volume != 0
+                        : shell.has_walls && std::abs(shell.faces_out_m2) > shell.flat_m2 / 2;
+  }
+
   static void turn(city::Polygon& polygon) {
     std::reverse(polygon.exterior.begin(), polygon.exterior.end());
     for (city::Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
@@ -103,6 +114,12 @@ class Orienter {
         const glm::dvec3 h = city::area_vector(hole);
         vector -= glm::dot(h, vector) > 0 ? h : -h;
       }
+      const bool is_roof = polygon.surface == city::SurfaceType::roof;
+      if (is_roof || polygon.surface == city::SurfaceType::ground) {
+        shell.flat_m2 += std::abs(vector.z);
+        shell.faces_out_m2 += is_roof != turned_[i] ? vector.z : -vector.z;
+      }
+      shell.has_walls = shell.has_walls || polygon.surface == city::SurfaceType::wall;
       // Divergence theorem: a third of each face's area vector times any point of it.
       shell.volume +=
           glm::dot(vector, polygon.exterior.front() - origin) / 3 * (turned_[i] ? -1 : 1);

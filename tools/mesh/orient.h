@@ -1,5 +1,6 @@
-// Turns polygons so that closed shells face outward. Nothing is guessed: a shell is turned only
-// where its polygons meet edge to edge everywhere, because then inside and outside are facts.
+// Turns polygons so that shells face outward. Nothing is guessed: a shell is turned only where its
+// polygons meet edge to edge everywhere, because then inside and outside are facts, or where the
+// file says which of them are roofs and floors.
 #pragma once
 
 #include "tools/mesh/edges.h"
@@ -10,8 +11,9 @@ namespace nightcity::mesh {
 /// Returns whether every vertex is a place: finite, and within any frame.
 bool has_finite_places(const city::CityObject& object);
 
-/// Turns the polygons of every closed shell in `object` outward and counts them in report.turned.
-/// Shells with a gap or within another shell, and walls between parts, stay as they are.
+/// Turns the polygons of every closed shell in `object` outward, and of shells with a gap where
+/// most of their roofs face down and floors up, and counts them in report.turned. Shells with a gap
+/// that name no roofs, those within another shell, and walls between parts stay as they are.
 /// Coordinates in metres.
 void orient_outward(city::CityObject& object, MeshReport& report);
 
