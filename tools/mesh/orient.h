@@ -11,10 +11,10 @@ namespace nightcity::mesh {
 /// Returns whether every vertex is a place: finite, and within any frame.
 bool has_finite_places(const city::CityObject& object);
 
-/// Turns the polygons of every closed shell in `object` outward, and of shells with a gap where
-/// most of their roofs face down and floors up, and counts them in report.turned. Shells with a gap
-/// that name no roofs, those within another shell, and walls between parts stay as they are.
-/// Coordinates in metres.
+/// Turns the polygons of every closed shell in `object` outward, and counts them in report.turned.
+/// A shell with a gap is turned as a whole where its polygons face the same way, and most of its
+/// roofs face down and of its floors up. Else it stays as it is, as do shells within another shell
+/// and walls between parts. Coordinates in metres.
 void orient_outward(city::CityObject& object, MeshReport& report);
 
 /// The same over a table made by the caller.

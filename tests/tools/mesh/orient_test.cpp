@@ -61,18 +61,22 @@ TEST(Orient, RoofsAndFloorsOfAnOpenShellSayWhichWayIsOut) {
   faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(last_wall));  // an open garage
   for (unsigned mask = 0; mask < 32; ++mask) {
     city::CityObject object = building(faces);
-    std::size_t turned = 0;
-    for (unsigned i = 0; i < 5; ++i) {
-      if ((mask >> i & 1) == 0) continue;
-      turn(object.polygons[i]);
-      ++turned;
-    }
-    EXPECT_EQ(oriented(object), turned);
+    for (unsigned i = 0; i < 5; ++i)
+      if (mask >> i & 1) turn(object.polygons[i]);
+    const bool all = mask == 31;
+    const city::CityObject before = object;
+    EXPECT_EQ(oriented(object), all ? 5u : 0u) << "nothing is guessed where polygons disagree";
     for (std::size_t i = 0; i < faces.size(); ++i)
       EXPECT_EQ(city::area_vector(object.polygons[i].exterior),
-                city::area_vector(faces[i].exterior))
+                city::area_vector((all ? faces : before.polygons)[i].exterior))
           << mask << " " << i;
   }
+  for (city::Polygon& face : faces) {
+    turn(face);
+    if (face.surface == city::SurfaceType::ground) face.surface = city::SurfaceType::wall;
+  }
+  city::CityObject floorless = building(faces);
+  EXPECT_EQ(oriented(floorless), 0u) << "a roof alone may be the lower side of eaves";
 }
 
 TEST(Orient, WallWithAWindowInItsHoleIsOneShell) {
