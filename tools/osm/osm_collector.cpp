@@ -126,26 +126,36 @@ const Entry* OsmCollector::find(const std::vector<Entry>& entries, const Key& ke
 }
 
 /// Removes elements of which there is a newer version or an equal one before, and counts them. The
-/// rest is sorted by id, so that no stage depends on the order in which a map was written.
+/// rest is sorted by id, so that no stage depends on the order in which a map was written; those of
+/// editors, whose negative ids say nothing, come behind in the order of the file.
 template <class Pending, class Entry>
 void OsmCollector::drop_old(std::vector<Pending>& pending, const std::vector<Entry>& newest) {
-  const auto by_key = [](const Pending& a, const Pending& b) { return a.key < b.key; };
-  if (!std::is_sorted(pending.begin(), pending.end(), by_key))
-    std::stable_sort(pending.begin(), pending.end(), by_key);
-  const Key* kept = nullptr;
-  std::size_t end = 0;
-  for (Pending& element : pending) {
-    if (const Entry* entry = find(newest, element.key); entry && entry->rank > element.rank) {
+  std::vector<const Pending*> order;
+  for (const Pending& element : pending) order.push_back(&element);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Pending* a, const Pending* b) { return a->key < b->key; });
+  std::vector<bool> drop(pending.size());
+  const Pending* kept = nullptr;
+  for (const Pending* element : order) {
+    const auto n = static_cast<std::size_t>(element - pending.data());
+    if (const Entry* entry = find(newest, element->key); entry && entry->rank > element->rank) {
+      drop[n] = true;
       ++data_.old_versions;
-    } else if (kept && *kept == element.key) {
+    } else if (kept && kept->key == element->key) {
+      drop[n] = true;
       ++data_.duplicates;
     } else {
-      Pending& place = pending[end++];
-      if (&place != &element) place = std::move(element);
-      kept = &place.key;
+      kept = element;
     }
   }
-  pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(end), pending.end());
+  std::size_t n = 0;
+  std::erase_if(pending, [&](const Pending&) { return drop[n++]; });
+  const auto before = [](const Pending& a, const Pending& b) {
+    const auto of_editor = [](const Pending& element) { return element.key.high >> 31 != 0; };
+    return of_editor(a) || of_editor(b) ? of_editor(a) < of_editor(b) : a.key < b.key;
+  };
+  if (!std::is_sorted(pending.begin(), pending.end(), before))
+    std::stable_sort(pending.begin(), pending.end(), before);
 }
 
 /// Moves the newest version of each point to `points`, in the resolution that ways have.
