@@ -1,6 +1,8 @@
 #include "tools/bake/bake_options.h"
 
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 namespace nightcity::bake {
 namespace {
@@ -22,6 +24,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.read = recipe.city.read;
   inputs.read.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read.map_colours = recipe.osm.colours;
+  inputs.read.maps = std::make_shared<const std::vector<std::filesystem::path>>(inputs.maps);
   inputs.frame = recipe.city.frame;
   inputs.bounds = recipe.city.bounds;
   inputs.origin_easting = recipe.origin.easting;

@@ -91,6 +91,9 @@ struct ReadOptions {
   PolygonLimits polygon{};
   int max_way_nodes = 20'000;  // of a building in a map, over all ways of its outline
   bool map_colours = true;     // of a map's buildings: by their tags
+  /// All maps of the city, of which a file that is read may be one: a building at the edge of one
+  /// may have parts that only another has. Null: it is alone.
+  std::shared_ptr<const std::vector<std::filesystem::path>> maps{};
   /// Read this piece alone, of a file that FileReader::find_cuts allows to be cut.
   std::optional<TextPiece> piece{};
 

@@ -5,6 +5,7 @@
 
 #include "formats/error.h"
 #include "tools/terrain/raster_names.h"
+#include "tools/terrain/sample_models.h"
 
 namespace nightcity::elevation {
 
@@ -17,12 +18,10 @@ DemRaster::DemRaster(const std::filesystem::path& file, const terrain::Elevation
 }
 
 std::optional<double> DemRaster::height_at(const glm::dvec2& lon_lat) const {
-  for (const terrain::ElevationModel& model : models_) {
-    double height = 0;
-    model.sample(std::span(&lon_lat, 1), std::span(&height, 1));
-    if (!std::isnan(height)) return height;
-  }
-  return std::nullopt;
+  const std::span place(&lon_lat, 1);
+  double height = 0;
+  terrain::sample_models(models_, place, place, std::span(&height, 1));
+  return std::isnan(height) ? std::nullopt : std::optional(height);
 }
 
 }  // namespace nightcity::elevation

@@ -16,6 +16,7 @@
 #include "tools/city/skip_counter.h"
 #include "tools/in_order.h"
 #include "tools/map_buildings/building_tags.h"
+#include "tools/map_buildings/file_buildings.h"
 #include "tools/map_buildings/part_index.h"
 #include "tools/map_buildings/roofs.h"
 #include "tools/map_buildings/skin.h"
@@ -226,32 +227,29 @@ city::CityHead read_map_head(const std::filesystem::path& file, const city::Read
 city::ReadReport read_map_buildings(const std::filesystem::path& file,
                                     const city::ReadOptions& options,
                                     const city::ObjectStage& stage) {
-  osm::MapAreas areas = osm::read_map_areas(file, {{"building", "building:part"}},
-                                            static_cast<std::size_t>(options.max_way_nodes));
-  std::vector<MapArea> buildings, all_parts;
-  for (MapArea& area : areas.areas)
-    (area.tags.contains("building") ? buildings : all_parts).push_back(std::move(area));
+  const FileBuildings map = read_file_buildings(file, options);
+  const osm::MapAreas& counts = map.counts;
   city::ReadReport report;
   report.srs_name = "EPSG:4326";
-  if (const std::size_t bad = areas.broken + areas.open_ways)
+  if (const std::size_t bad = counts.broken + counts.open_ways)
     report.skipped["outline that crosses itself, is open or incomplete"] = bad;
-  if (areas.too_long > 0)
+  if (counts.too_long > 0)
     report.skipped["building of more nodes than [osm] max_way_nodes = " +
-                   std::to_string(options.max_way_nodes)] = areas.too_long;
+                   std::to_string(options.max_way_nodes)] = counts.too_long;
 
-  if (areas.points > 0)
-    report.skipped["building mapped as a point, without an outline"] = areas.points;
+  if (counts.points > 0)
+    report.skipped["building mapped as a point, without an outline"] = counts.points;
 
-  const PartIndex index(buildings);
-  std::vector<std::vector<const MapArea*>> parts(buildings.size());
+  const PartIndex index(map.buildings);
+  std::vector<std::vector<const MapArea*>> parts(map.buildings.size());
   std::vector<const MapArea*> alone;  // parts of no building
-  for (const MapArea& part : all_parts) {
-    if (const auto building = index.find_building(part))
-      parts[*building].push_back(&part);
-    else
-      alone.push_back(&part);
+  for (std::size_t n = 0; n < map.parts.size(); ++n) {
+    if (const auto building = index.find_building(map.parts[n]))
+      parts[*building].push_back(&map.parts[n]);
+    else if (map.is_own_part[n])
+      alone.push_back(&map.parts[n]);
   }
-  const std::size_t count = buildings.size() + alone.size();
+  const std::size_t count = map.own + alone.size();
   std::size_t next = 0;
   in_order(
       options.threads,
@@ -264,9 +262,9 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
         ObjectMaker maker(batch.skipped, batch.assumed, options.map_colours);
         std::vector<city::CityObject> objects;
         for (std::size_t i = first; i < std::min(first + batch_size, count); ++i) {
-          const bool whole = i < buildings.size();
-          auto raw = whole ? maker.make(buildings[i], parts[i])
-                           : maker.make(*alone[i - buildings.size()], {});
+          const bool whole = i < map.own;
+          auto raw =
+              whole ? maker.make(map.buildings[i], parts[i]) : maker.make(*alone[i - map.own], {});
           if (raw) objects.push_back(city::merge_parts(std::move(*raw), options, batch.report));
         }
         if (!objects.empty()) batch.rest = stage(std::move(objects));

@@ -18,6 +18,9 @@ struct Shell {
   bool consistent = true;  // no polygon had to face both ways
   bool closed = true;
   double volume = 0;  // with its polygons turned
+  // In plan: roofs and floors, and how much of them faces out (roofs up, floors down) less the rest.
+  double roofs_m2 = 0, floors_m2 = 0, roofs_out_m2 = 0, floors_out_m2 = 0;
+  bool has_walls = false;
   glm::dvec3 low{std::numeric_limits<double>::infinity()},
       high{-std::numeric_limits<double>::infinity()};
 };
@@ -39,9 +42,10 @@ class Orienter {
     for (std::size_t i = 0; i < shells_.size(); ++i) {
       const Shell& shell = shells_[i];
       open = open || !shell.closed || !shell.consistent;
-      if (!shell.consistent || !shell.closed || shell.volume == 0 || is_enclosed(i)) continue;
+      if (!shell.consistent || !is_known(shell) || is_enclosed(i)) continue;
+      const bool faces_out = shell.closed ? shell.volume > 0 : shell.roofs_out_m2 > 0;
       for (const std::uint32_t p : shell.polygons) {
-        if (turned_[p] == (shell.volume > 0)) {
+        if (turned_[p] == faces_out) {
           turn(object_.polygons[p]);
           ++turned;
         }
@@ -54,6 +58,20 @@ class Orienter {
   }
 
  private:
+  // Which way is out shows in the volume of a closed shell; in an open one the file says which of
+  // its polygons are roofs and floors, of which eaves and passages may face the other way.
+  // Both must say the same, and all polygons must agree: beside a gap an edge may be that of an
+  // inner wall, behind which all others would be turned.
+  bool is_known(const Shell& shell) const {
+    if (shell.closed) return shell.volume != 0;
+    const auto is_turned = [&](std::uint32_t p) { return turned_[p]; };
+    if (std::any_of(shell.polygons.begin(), shell.polygons.end(), is_turned)) return false;
+    const auto is_clear = [](double out, double all) { return std::abs(out) > all / 2; };
+    return shell.has_walls && is_clear(shell.roofs_out_m2, shell.roofs_m2) &&
+           is_clear(shell.floors_out_m2, shell.floors_m2) &&
+           (shell.roofs_out_m2 > 0) == (shell.floors_out_m2 > 0);
+  }
+
   static void turn(city::Polygon& polygon) {
     std::reverse(polygon.exterior.begin(), polygon.exterior.end());
     for (city::Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
@@ -103,6 +121,15 @@ class Orienter {
         const glm::dvec3 h = city::area_vector(hole);
         vector -= glm::dot(h, vector) > 0 ? h : -h;
       }
+      const double up_m2 = turned_[i] ? -vector.z : vector.z;
+      if (polygon.surface == city::SurfaceType::roof) {
+        shell.roofs_m2 += std::abs(up_m2);
+        shell.roofs_out_m2 += up_m2;
+      } else if (polygon.surface == city::SurfaceType::ground) {
+        shell.floors_m2 += std::abs(up_m2);
+        shell.floors_out_m2 -= up_m2;
+      }
+      shell.has_walls = shell.has_walls || polygon.surface == city::SurfaceType::wall;
       // Divergence theorem: a third of each face's area vector times any point of it.
       shell.volume +=
           glm::dot(vector, polygon.exterior.front() - origin) / 3 * (turned_[i] ? -1 : 1);

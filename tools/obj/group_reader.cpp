@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "formats/checksum.h"
 #include "formats/error.h"
 #include "tools/city/attributes.h"
 
@@ -61,6 +65,8 @@ std::optional<Faces> GroupReader::next() {
       current_.name = std::move(name);
       goes_on_ = false;
       if (whole) return whole;
+    } else if (!in_pieces && (key == "o" || (key == "g" && current_.name.empty()))) {
+      current_.name = city::trim(line);  // the only one of the file
     } else {
       take_statement(key, line);
     }
@@ -204,6 +210,17 @@ void join_same_places(const std::vector<glm::dvec3>& places, Sets& sets) {
     if (places[order[i]] == places[order[i - 1]]) sets.join(order[i], order[i - 1]);
 }
 
+// Returns a name that is the same wherever the part lies in a file, and another for each part: a
+// number within the file would take parts of several files for one, and give each the same windows.
+std::string name_by_shape(const Faces& part, const Vertices& vertices) {
+  std::vector<glm::dvec3> corners;
+  for (const std::uint32_t corner : part.corners) corners.push_back(vertices.places[corner]);
+  char text[40];
+  std::snprintf(text, sizeof text, "part %016" PRIx64,
+                checksum(corners.data(), corners.size() * sizeof(glm::dvec3)));
+  return text;
+}
+
 }  // namespace
 
 std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices) {
@@ -219,9 +236,12 @@ std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& verti
   std::map<std::uint32_t, std::size_t> part_of;
   for (std::size_t face = 0; face < faces.size(); ++face) {
     const auto [part, is_new] = part_of.try_emplace(sets.find(first_corner(face)), parts.size());
-    if (is_new) parts.emplace_back().name = "part " + std::to_string(parts.size());
+    if (is_new) parts.emplace_back();
     parts[part->second].add(faces, face);
   }
+  for (Faces& part : parts)
+    part.name =
+        parts.size() == 1 && !faces.name.empty() ? faces.name : name_by_shape(part, vertices);
   return parts;
 }
 

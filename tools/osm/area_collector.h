@@ -85,10 +85,12 @@ class AreaCollector : public osmium::handler::Handler {
       const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
       if (known != newest_.end() && known->second.version < version) clear(known->second);
     }
-    for (const auto id : outer_ways_.replaced())
+    for (const auto id : outer_ways_.replaced()) {
+      areas.replaced.push_back("way/" + std::to_string(id));
       if (const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
           known != newest_.end())
         clear(known->second);
+    }
     const auto is_missing = [&](osmium::object_id_type id) {
       return !made_ways_.contains(id) && !places_.deleted_ways.contains(id) &&
              !too_long.ways.contains(id) && !outer_ways_.replaced().contains(id);

@@ -40,8 +40,9 @@ struct MapAreas {
   std::size_t open_ways = 0;   // ways that were selected and are not closed
   // Ways and multipolygons of more than `max_nodes`, or of a way that 64 have had before.
   std::size_t too_long = 0;
-  std::size_t gone = 0;    // areas that are not there on the selection's day
-  std::size_t points = 0;  // nodes that were selected, which have no outline
+  std::size_t gone = 0;               // areas that are not there on the selection's day
+  std::size_t points = 0;             // nodes that were selected, which have no outline
+  std::vector<std::string> replaced;  // ways that are no areas, but outlines of multipolygons
 };
 
 /// Reads all areas that are selected, of several versions of one the newest. A relation of

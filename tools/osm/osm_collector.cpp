@@ -37,6 +37,11 @@ glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
   return {place::count_on(sum.x, 0), sum.y};
 }
 
+// A node that a way names twice in a row would be a junction to what counts arms.
+void add_corner(OsmWay& way, const glm::dvec2& lon_lat) {
+  if (way.lon_lat.empty() || way.lon_lat.back() != lon_lat) way.lon_lat.push_back(lon_lat);
+}
+
 }  // namespace
 
 OsmCollector::Key OsmCollector::key_of(std::int64_t id) const {
@@ -128,7 +133,9 @@ const Entry* OsmCollector::find(const std::vector<Entry>& entries, const Key& ke
   return found == entries.end() || found->key != key ? nullptr : &*found;
 }
 
-/// Removes elements of which there is a newer version or an equal one before, and counts them.
+/// Removes elements of which there is a newer version or an equal one before, and counts them. The
+/// rest is sorted by id, so that no stage depends on the order in which a map was written; those of
+/// editors, whose negative ids say nothing, come behind in the order of the file.
 template <class Pending, class Entry>
 void OsmCollector::drop_old(std::vector<Pending>& pending, const std::vector<Entry>& newest) {
   std::vector<const Pending*> order;
@@ -151,6 +158,12 @@ void OsmCollector::drop_old(std::vector<Pending>& pending, const std::vector<Ent
   }
   std::size_t n = 0;
   std::erase_if(pending, [&](const Pending&) { return drop[n++]; });
+  const auto before = [](const Pending& a, const Pending& b) {
+    const auto of_editor = [](const Pending& element) { return element.key.high >> 31 != 0; };
+    return of_editor(a) || of_editor(b) ? of_editor(a) < of_editor(b) : a.key < b.key;
+  };
+  if (!std::is_sorted(pending.begin(), pending.end(), before))
+    std::stable_sort(pending.begin(), pending.end(), before);
 }
 
 /// Moves the newest version of each point to `points`, in the resolution that ways have.
@@ -171,9 +184,9 @@ void OsmCollector::place_ways() {
     for (const OsmNodeRef& node : pending.nodes) {
       const Place* place = find(places_, key_of(node.id));
       if (place && place->lon != deleted_lon)
-        way.lon_lat.emplace_back(place->lon * resolution_degrees, place->lat * resolution_degrees);
+        add_corner(way, {place->lon * resolution_degrees, place->lat * resolution_degrees});
       else if (on_globe(node.lon_lat))
-        way.lon_lat.push_back(node.lon_lat);
+        add_corner(way, {round_degrees(node.lon_lat.x), round_degrees(node.lon_lat.y)});
       else
         ++data_.missing_nodes;
     }

@@ -50,9 +50,10 @@ struct ElevationModel::State {
             to_pixel[3] + to_pixel[4] * p.x + to_pixel[5] * p.y - 0.5};
   }
 
-  bool is_outside(const glm::dvec2& pixel) const {
-    return !(pixel.x >= -0.5 && pixel.y >= -0.5 && pixel.x <= band->GetXSize() - 0.5 &&
-             pixel.y <= band->GetYSize() - 0.5);
+  // Returns whether a place lies more than so many pixels beyond the outermost centres.
+  bool is_outside(const glm::dvec2& pixel, double margin = 0.5) const {
+    return !(pixel.x >= -margin && pixel.y >= -margin && pixel.x <= band->GetXSize() - 1 + margin &&
+             pixel.y <= band->GetYSize() - 1 + margin);
   }
 
   // Compares in the pixels' type: -3.4028235e38 is no double that a float can be equal to.
@@ -62,7 +63,7 @@ struct ElevationModel::State {
   }
 
   void pass_rows(int end) const;
-  void sample_pixels(std::span<const glm::dvec2> pixels, std::span<double> heights) const;
+  void sample_pixels(std::span<const glm::dvec2> pixels, std::span<HeightSample> samples) const;
   glm::dvec2 find_pixel(const glm::dvec2& place) const;
 };
 
@@ -201,23 +202,23 @@ void ElevationModel::State::pass_rows(int end) const {
 
 // Reads the window around the pixels; where they lie far apart, half of them at a time.
 void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
-                                          std::span<double> heights) const {
-  constexpr double max_window = 4e6;
+                                          std::span<HeightSample> samples) const {
+  constexpr double max_window = 4e6, margin = 1;
   const int width = band->GetXSize(), height = band->GetYSize();
   const glm::dvec2 last(width - 1, height - 1);
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const glm::dvec2& p : pixels) {
-    if (is_outside(p)) continue;
+    if (is_outside(p, margin)) continue;
     low = glm::min(low, glm::floor(glm::clamp(p, glm::dvec2(0), last)));
     high = glm::max(high, glm::ceil(glm::clamp(p, glm::dvec2(0), last)));
   }
-  std::fill(heights.begin(), heights.end(), nothing);
+  std::fill(samples.begin(), samples.end(), HeightSample());
   if (!(low.x <= high.x)) return;
   const glm::dvec2 extent = high - low + 1.0;
   if (extent.x * extent.y > max_window && pixels.size() > 1) {
     const std::size_t half = pixels.size() / 2;
-    sample_pixels(pixels.first(half), heights.first(half));
-    sample_pixels(pixels.subspan(half), heights.subspan(half));
+    sample_pixels(pixels.first(half), samples.first(half));
+    sample_pixels(pixels.subspan(half), samples.subspan(half));
     return;
   }
   const int columns = static_cast<int>(extent.x), rows = static_cast<int>(extent.y);
@@ -243,19 +244,28 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
     return is_fill_value(window[at], metres) ? nothing : metres;
   };
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    if (is_outside(pixels[i])) continue;
+    if (is_outside(pixels[i], margin)) continue;
     const glm::dvec2 p = glm::clamp(pixels[i], glm::dvec2(0), last), a = glm::floor(p),
-                     b = glm::ceil(p), f = p - a;
+                     b = glm::ceil(p), f = p - a, beyond = glm::abs(pixels[i] - p);
     // A weight of zero must not let a pixel without data in.
     const auto mix = [](double from, double to, double t) {
       return t == 0 ? from : from + t * (to - from);
     };
     const double upper = mix(value(a.x, a.y), value(b.x, a.y), f.x);
-    heights[i] = f.y == 0 ? upper : mix(upper, mix(value(a.x, b.y), value(b.x, b.y), f.x), f.y);
+    samples[i] = {f.y == 0 ? upper : mix(upper, mix(value(a.x, b.y), value(b.x, b.y), f.x), f.y),
+                  (1 - beyond.x) * (1 - beyond.y), !is_outside(pixels[i])};
   }
 }
 
 void ElevationModel::sample(std::span<const glm::dvec2> places, std::span<double> heights) const {
+  std::vector<HeightSample> samples(places.size());
+  sample_beyond(places, samples);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    heights[i] = samples[i].inside ? samples[i].height : nothing;
+}
+
+void ElevationModel::sample_beyond(std::span<const glm::dvec2> places,
+                                   std::span<HeightSample> samples) const {
   const gdal::Guard guard;
   std::vector<double> x, y;
   for (const glm::dvec2& p : places) {
@@ -269,7 +279,7 @@ void ElevationModel::sample(std::span<const glm::dvec2> places, std::span<double
   std::vector<glm::dvec2> pixels;
   for (std::size_t i = 0; i < places.size(); ++i)
     pixels.push_back(placed[i] ? state_->find_pixel({x[i], y[i]}) : glm::dvec2(nothing));
-  state_->sample_pixels(pixels, heights);
+  state_->sample_pixels(pixels, samples);
 }
 
 }  // namespace nightcity::terrain

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -28,6 +29,13 @@ struct RasterFile {
   std::string path;  // as GDAL takes it
   std::string name;  // for messages; of an archive's entry with the archive's path before it
   std::shared_ptr<const gdal::ScratchFiles> unpacked;  // that `path` is one of; null: of the disk
+};
+
+/// A height (m; NaN: none) and how much it counts beside those of other models.
+struct HeightSample {
+  double height = std::numeric_limits<double>::quiet_NaN();
+  double weight = 0;    // 1 between the outermost centres of pixels, 0 one pixel beyond them
+  bool inside = false;  // of the raster, which reaches half a pixel beyond them
 };
 
 class ElevationModel {
@@ -68,6 +76,9 @@ class ElevationModel {
   /// else the raster's own x, y. Reads the part of the raster between the places, so ask for places
   /// that lie together. Throws Error when the raster cannot be read.
   void sample(std::span<const glm::dvec2> places, std::span<double> heights) const;
+  /// The same, also up to one pixel beyond the outermost centres, with the nearest of these places'
+  /// height. Tiles that lie side by side, each by its weight, give what one raster gives.
+  void sample_beyond(std::span<const glm::dvec2> places, std::span<HeightSample> samples) const;
 
  private:
   struct State;

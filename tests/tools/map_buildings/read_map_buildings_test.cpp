@@ -9,8 +9,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <list>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "formats/error.h"
 #include "tests/tools/citygml/temporary_file.h"
@@ -313,6 +316,76 @@ TEST(MapBuildings, PartsStandInPlaceOfTheirOutline) {
   EXPECT_TRUE(result.objects[0].id.starts_with("way/"));
   expect_near(volume(result.objects[1]), 100);
   EXPECT_EQ(result.report.skipped.at("outline of a building that has parts"), 1u);
+}
+
+// A closed way round a rectangle, with nodes of its own.
+std::string write_way(int id, double x, double width, const std::string& tags) {
+  std::string nodes, refs;
+  for (int k = 0; k < 5; ++k) {
+    const int corner = k % 4;
+    char text[120];
+    std::snprintf(text, sizeof text, "<node id='%d' lat='%.7f' lon='%.7f'/>", 10 * id + corner,
+                  (corner < 2 ? 0 : 10) / lat_m,
+                  10 + (corner == 1 || corner == 2 ? x + width : x) / lon_m);
+    if (k < 4) nodes += text;
+    refs += "<nd ref='" + std::to_string(10 * id + corner) + "'/>";
+  }
+  return nodes + "<way id='" + std::to_string(id) + "'>" + refs + tags + "</way>";
+}
+
+// Reads the maps in turn, as one city.
+std::vector<Read> read_all(const std::vector<std::string>& texts) {
+  std::list<TemporaryFile> files;
+  std::vector<std::filesystem::path> maps;
+  for (const std::string& text : texts) {
+    files.emplace_back("<osm>" + text + "</osm>", ".osm");
+    maps.push_back(files.back().path());
+  }
+  city::ReadOptions options;
+  options.maps = std::make_shared<const std::vector<std::filesystem::path>>(maps);
+  std::vector<Read> all(maps.size());
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    city::ObjectSink sink = [&](city::CityObject&& o) { all[i].objects.push_back(std::move(o)); };
+    all[i].report = read_map_buildings(maps[i], options, city::deliver_to(sink));
+  }
+  return all;
+}
+
+TEST(MapBuildings, ABuildingAtASeamHasThePartsOfEachTile) {
+  const std::string house =
+                        write_way(1, 0, 20, "<tag k='building' v='yes'/><tag k='height' v='30'/>"),
+                    low = write_way(2, 0, 10,
+                                    "<tag k='building:part' v='yes'/><tag k='height' v='8'/>"),
+                    high = write_way(3, 10, 10,
+                                     "<tag k='building:part' v='yes'/><tag k='height' v='30'/>");
+  const std::vector<Read> whole = read_all({house + low + high}),
+                          tiles = read_all({house + low, house + high}),
+                          apart = read_all({high, house, low});
+  ASSERT_EQ(whole[0].objects.size(), 1u);
+  expect_near(volume(whole[0].objects[0]), 800 + 3000);
+  for (const Read& tile : tiles) {
+    ASSERT_EQ(tile.objects.size(), 1u);
+    EXPECT_EQ(tile.objects[0].id, "way/1");
+    expect_near(volume(tile.objects[0]), 800 + 3000);
+  }
+  EXPECT_EQ(tiles[0].objects[0].polygons.front().exterior,
+            tiles[1].objects[0].polygons.front().exterior)
+      << "the bake knows it again";
+  EXPECT_EQ(apart[0].objects.size() + apart[2].objects.size(), 0u) << "parts of another's building";
+  expect_near(volume(apart[1].objects.at(0)), 800 + 3000);
+}
+
+TEST(MapBuildings, AnOutlineOfAMultipolygonInAnotherTileIsNone) {
+  const std::string tags = "<tag k='building' v='yes'/><tag k='height' v='5'/>",
+                    outer = write_way(1, 0, 20, tags),
+                    relation =
+                        "<relation id='7'><member type='way' ref='1' role='outer'/>"
+                        "<tag k='type' v='multipolygon'/>" +
+                        tags + "</relation>";
+  const std::vector<Read> tiles = read_all({outer, outer + relation});
+  EXPECT_EQ(tiles[0].objects.size(), 0u);
+  ASSERT_EQ(tiles[1].objects.size(), 1u);
+  EXPECT_EQ(tiles[1].objects[0].id, "relation/7");
 }
 
 TEST(MapBuildings, MultipolygonsHaveCourtyards) {

@@ -48,6 +48,37 @@ TEST(Orient, OpenBoxIsLeftAlone) {
   EXPECT_EQ(object.polygons[2].exterior, faces[2].exterior);
 }
 
+TEST(Orient, RoofsAndFloorsOfAnOpenShellSayWhichWayIsOut) {
+  std::vector<city::Polygon> faces = box(32500000, 5800000, 30, 10);
+  std::size_t last_wall = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const double up = city::area_vector(faces[i].exterior).z;
+    faces[i].surface = up > 1    ? city::SurfaceType::roof
+                       : up < -1 ? city::SurfaceType::ground
+                                 : city::SurfaceType::wall;
+    if (faces[i].surface == city::SurfaceType::wall) last_wall = i;
+  }
+  faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(last_wall));  // an open garage
+  for (unsigned mask = 0; mask < 32; ++mask) {
+    city::CityObject object = building(faces);
+    for (unsigned i = 0; i < 5; ++i)
+      if (mask >> i & 1) turn(object.polygons[i]);
+    const bool all = mask == 31;
+    const city::CityObject before = object;
+    EXPECT_EQ(oriented(object), all ? 5u : 0u) << "nothing is guessed where polygons disagree";
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      EXPECT_EQ(city::area_vector(object.polygons[i].exterior),
+                city::area_vector((all ? faces : before.polygons)[i].exterior))
+          << mask << " " << i;
+  }
+  for (city::Polygon& face : faces) {
+    turn(face);
+    if (face.surface == city::SurfaceType::ground) face.surface = city::SurfaceType::wall;
+  }
+  city::CityObject floorless = building(faces);
+  EXPECT_EQ(oriented(floorless), 0u) << "a roof alone may be the lower side of eaves";
+}
+
 TEST(Orient, WallWithAWindowInItsHoleIsOneShell) {
   std::vector<city::Polygon> faces = box(0, 0, 0, 10);
   const city::Ring window{{3, 0, 3}, {6, 0, 3}, {6, 0, 6}, {3, 0, 6}};

@@ -122,6 +122,33 @@ TEST(Obj, WithoutNamesFacesThatHangTogetherAreOneBuilding) {
   EXPECT_EQ(city.objects[1].polygons.size(), 2u);
 }
 
+TEST(Obj, AFileOfOneObjectKeepsItsName) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  EXPECT_EQ(read_obj_text(vertices + "o house 7\nf 1 2 3\n").objects.at(0).id, "house 7");
+  EXPECT_EQ(read_obj_text(vertices + "g house 8\nf 1 2 3\n").objects.at(0).id, "house 8");
+  EXPECT_EQ(read_obj_text("o house 9\ng walls\n" + vertices + "f 1 2 3\n").objects.at(0).id,
+            "house 9");
+  EXPECT_EQ(read_obj_text(vertices + "o Terrain\nf 1 2 3\n").objects.at(0).type,
+            city::ObjectType::relief);
+}
+
+TEST(Obj, PartsWithoutNamesAreKnownByTheirShapeInEveryFile) {
+  const std::string a = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\n",
+                    b = "v 5 0 0\nv 6 0 0\nv 6 1 0\nf -3 -2 -1\n";
+  const auto ids = [](const std::string& text) {
+    std::vector<std::string> names;
+    for (const city::CityObject& object :
+         read_obj_text(text, with_up(city::MeshPlacement::Up::z)).objects)
+      names.push_back(object.id);
+    return names;
+  };
+  const auto both = ids(a + b), turned = ids(b + a);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_NE(both[0], both[1]);
+  EXPECT_EQ(turned, (std::vector<std::string>{both[1], both[0]}));
+  EXPECT_EQ(ids(b), (std::vector<std::string>{both[1]})) << "a tile that holds the second alone";
+}
+
 TEST(Obj, LineEndsAndContinuationsDoNotMatter) {
   const std::string plain = "o a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\no b\nf 3 2 1\n";
   for (const std::string end : {"\r\n", "\r"}) {

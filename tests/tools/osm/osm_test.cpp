@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include "support/temp_folder.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/read_osm.h"
+#include "tools/osm/resolution.h"
 
 namespace nightcity::osm {
 namespace {
@@ -287,7 +289,61 @@ TEST_F(OsmFile, WaysMayHoldTheirPlacesThemselves) {
     <tag k="highway" v="residential"/></way>)");
   ASSERT_EQ(data.highways.size(), 1u);
   EXPECT_EQ(data.missing_nodes, 0u);
-  EXPECT_EQ(data.highways[0].lon_lat.at(1), glm::dvec2(9.003, 48.996));
+  EXPECT_EQ(data.highways[0].lon_lat.at(1),
+            glm::dvec2(round_degrees(9.003), round_degrees(48.996)));
+}
+
+TEST_F(OsmFile, PlacesOnWaysAreThoseOfTheirNodesToTheLastBit) {
+  // 13.4000001 is no multiple of 1e-7 in doubles.
+  const std::string place = " lat='52.5123457' lon='13.4000001'",
+                    tag = "<tag k='highway' v='road'/>";
+  const OsmData of_nodes = read("<node id='1'" + place +
+                                "/><node id='2' lat='1' lon='1'/><way id='9'>"
+                                "<nd ref='1'/><nd ref='2'/>" +
+                                tag + "</way>"),
+                of_ways = read("<way id='9'><nd ref='1'" + place +
+                               "/><nd ref='2' lat='1' lon='1'/>" + tag + "</way>");
+  ASSERT_EQ(of_nodes.highways.size(), 1u);
+  ASSERT_EQ(of_ways.highways.size(), 1u);
+  EXPECT_EQ(of_ways.highways[0].lon_lat, of_nodes.highways[0].lon_lat);
+}
+
+TEST_F(OsmFile, TheOrderInWhichAMapIsWrittenDoesNotMatter) {
+  std::vector<std::string> elements;
+  for (const char* const id : {"1", "2", "3"}) {
+    const std::string n = id;
+    elements.push_back("<node id='" + n + "' lat='" + n + "' lon='1'>" + lamp_tag + "</node>");
+    elements.push_back("<node id='2" + n + "' lat='" + n +
+                       "' lon='1'><tag k='natural' v='tree'/></node>");
+    elements.push_back("<way id='" + n +
+                       "'><nd ref='1'/><nd ref='2'/><nd ref='3'/>"
+                       "<tag k='highway' v='road'/></way>");
+  }
+  const auto tell = [&] {
+    std::string all, said;
+    for (const std::string& element : elements) all += element;
+    const OsmData data = read(all);
+    for (const OsmLampNode& lamp : data.lamps) said += " lamp " + std::to_string(lamp.id);
+    for (const OsmPoint& tree : data.trees) said += " tree " + std::to_string(tree.lon_lat.y);
+    for (const OsmWay& way : data.highways) said += " way " + std::to_string(way.id);
+    return said;
+  };
+  const std::string sorted = tell();
+  EXPECT_NE(sorted.find("lamp 1 lamp 2 lamp 3"), std::string::npos) << sorted;
+  std::reverse(elements.begin(), elements.end());
+  EXPECT_EQ(tell(), sorted);
+}
+
+TEST_F(OsmFile, ANodeThatIsNamedTwiceInARowIsOneCorner) {
+  const std::string nodes =
+      "<node id='1' lat='1' lon='1'/><node id='2' lat='2' lon='2'/>"
+      "<node id='3' lat='2' lon='2'/>";
+  const OsmData data = read(nodes +
+                            "<way id='9'><nd ref='1'/><nd ref='1'/><nd ref='2'/><nd ref='3'/>"
+                            "<nd ref='1'/><tag k='highway' v='road'/></way><way id='8'>"
+                            "<nd ref='1'/><nd ref='1'/><tag k='highway' v='road'/></way>");
+  ASSERT_EQ(data.highways.size(), 1u) << "a way of one place has no length";
+  EXPECT_EQ(data.highways[0].lon_lat, (std::vector<glm::dvec2>{{1, 1}, {2, 2}, {1, 1}}));
 }
 
 TEST_F(OsmFile, LampsMayBeLinesOrAreas) {

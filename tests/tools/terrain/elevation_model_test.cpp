@@ -13,6 +13,7 @@
 #include "formats/error.h"
 #include "support/data.h"
 #include "support/temp_folder.h"
+#include "tools/terrain/sample_models.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -75,6 +76,55 @@ TEST(ElevationModel, GivesAPlaneBackBetweenThePixelsCentres) {
     EXPECT_NEAR(heights[i], plane(places[i].x - 391000, places[i].y - 5819100), 1e-6);
   EXPECT_TRUE(std::isnan(sample(model, {{390999, 5819000}})[0]));
   EXPECT_TRUE(std::isnan(sample(model, {{std::nan(""), 5819000}})[0]));
+}
+
+TEST(SampleModels, TilesGiveWhatOneRasterGives) {
+  const TempFolder folder;
+  // Four tiles of pixels of 10 m that meet at 120 m east, 90 m south, cut out of one surface.
+  const auto bumps = [](double x, double y) {
+    return 30 + 5 * std::sin(x / 15) * std::cos(y / 20);
+  };
+  std::vector<ElevationModel> models;
+  const auto add = [&](const char* name, int left, int top, int right, int bottom) {
+    const Raster r{391000.0 + 10 * left, 5819100.0 - 10 * top, 10, right - left, bottom - top, 0};
+    write_raster(folder / name, r, whole);
+    GDALDatasetUniquePtr set(
+        GDALDataset::Open((folder / name).c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
+    std::vector<double> values;
+    for (int j = top; j < bottom; ++j)
+      for (int i = left; i < right; ++i) values.push_back(bumps(10 * i + 5, 10 * j + 5));
+    ASSERT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, r.width, r.height, values.data(),
+                                              r.width, r.height, GDT_Float64, 0, 0),
+              CE_None);
+    set.reset();
+    models.emplace_back(folder / name);
+  };
+  add("one.tif", 0, 0, 30, 20);
+  add("a.tif", 0, 0, 12, 9);
+  add("b.tif", 12, 0, 30, 9);
+  add("c.tif", 0, 9, 12, 20);
+  add("d.tif", 12, 9, 30, 20);
+  add("wide.tif", 8, 0, 30, 20);  // overlaps a and c
+  std::vector<glm::dvec2> places;
+  for (double x = 0; x <= 300; x += 1.25)
+    for (double y = 0; y <= 200; y += 1.25) places.emplace_back(391000 + x, 5819100 - y);
+  const auto ask = [&](std::size_t first, std::size_t count) {
+    std::vector<double> heights(places.size());
+    sample_models(std::span(models).subspan(first, count), places, places, heights);
+    return heights;
+  };
+  const std::vector<double> one = ask(0, 1), four = ask(1, 4), overlapping = ask(3, 3);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_NEAR(four[i], one[i], 1e-9) << places[i].x << " " << places[i].y;
+    // The overlapping ones lack the north-west, and on their outer edge two heights are mixed.
+    const glm::dvec2 p = places[i] - glm::dvec2(391000, 5819100);
+    if ((p.x > 85 || p.y < -95) && p.x < 295 && p.y > -195) {
+      EXPECT_NEAR(overlapping[i], one[i], 1e-9) << p.x << " " << p.y;
+    }
+  }
+  std::vector<double> beyond(1);
+  sample_models(models, std::vector<glm::dvec2>{{390999.9, 5819000}}, {}, beyond);
+  EXPECT_TRUE(std::isnan(beyond[0])) << "no raster reaches farther than before";
 }
 
 TEST(ElevationModel, GoesThroughItsOwnCrs) {

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "formats/error.h"
 #include "tools/terrain/open_models.h"
+#include "tools/terrain/sample_models.h"
 
 namespace nightcity::bake {
 GroundHeights::GroundHeights(const GroundOptions& options, const georeference::CityFrame& city)
@@ -53,20 +55,23 @@ void GroundHeights::add_to_kind(double step_m) {
 std::vector<double> GroundHeights::read(std::span<const glm::dvec2> places,
                                         std::span<const Kind> kinds) const {
   const std::lock_guard lock(mutex_);
-  std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()),
-      next(places.size());
-  std::vector<glm::dvec2> lon_lat;
-  for (const Kind& kind : kinds)
-    for (std::size_t n = kind.begin; n < kind.end; ++n) {
-      const terrain::ElevationModel& model = models_[n];
-      if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); }))
-        return heights;
-      if (model.has_crs() && lon_lat.empty())
-        for (const glm::dvec2& p : places) lon_lat.push_back(city_.to_lon_lat(p));
-      model.sample(model.has_crs() ? std::span<const glm::dvec2>(lon_lat) : places, next);
-      for (std::size_t i = 0; i < heights.size(); ++i)
-        if (std::isnan(heights[i])) heights[i] = next[i] + kind.shift_m;
-    }
+  std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::size_t> open(places.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  for (const Kind& kind : kinds) {
+    if (open.empty()) break;
+    const std::span models = std::span(models_).subspan(kind.begin, kind.end - kind.begin);
+    const bool has_crs = std::any_of(models.begin(), models.end(),
+                                     [](const auto& model) { return model.has_crs(); });
+    std::vector<glm::dvec2> asked, lon_lat;
+    for (const std::size_t i : open) asked.push_back(places[i]);
+    if (has_crs)
+      for (const glm::dvec2& p : asked) lon_lat.push_back(city_.to_lon_lat(p));
+    std::vector<double> found(open.size());
+    terrain::sample_models(models, asked, lon_lat, found);
+    for (std::size_t k = 0; k < open.size(); ++k) heights[open[k]] = found[k] + kind.shift_m;
+    std::erase_if(open, [&](std::size_t i) { return !std::isnan(heights[i]); });
+  }
   return heights;
 }
 

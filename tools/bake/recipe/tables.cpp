@@ -184,11 +184,11 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "gaps. They are open at gates and where a path meets them, and stand neither on "
                 "carriageways nor in buildings."),
        flag_key("steps", ground.steps,
-                "Steps of the map (`highway=steps`), where the city model has no roads of its "
-                "own: treads and risers between the heights that the ground has at their ends, "
-                "as many as `step_count` says, else 0.16 m high. Where the ground rises by less "
-                "than 0.08 m or 1 in 20, or as steeply as a ladder, they are a path, and "
-                "counted in metres."),
+                "With `streets`: steps of the map (`highway=steps`), where the city model has no "
+                "roads of its own: treads and risers between the heights that the ground has at "
+                "their ends, as many as `step_count` says, else 0.16 m high. Where the ground "
+                "rises by less than 0.08 m or 1 in 20, or as steeply as a ladder, they are a "
+                "path, and counted in metres."),
        flag_key("horizon", ground.horizon,
                 "Bare ground from the edge of the city's own to the horizon, 50 km away, as the "
                 "earth curves: it begins at the height of the edge and levels out to the mean of "

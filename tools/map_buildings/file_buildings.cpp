@@ -1,0 +1,120 @@
+#include "tools/map_buildings/file_buildings.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <string>
+#include <system_error>
+#include <unordered_set>
+#include <utility>
+
+namespace nightcity::map_buildings {
+namespace {
+
+using osm::MapArea;
+using osm::MapAreas;
+
+MapAreas read_areas(const std::filesystem::path& file, const city::ReadOptions& options) {
+  return osm::read_map_areas(file, {{"building", "building:part"}},
+                             static_cast<std::size_t>(options.max_way_nodes));
+}
+
+using Maps = std::vector<std::shared_ptr<const MapAreas>>;
+
+// Returns what tells the maps from others and from what they were before.
+std::string describe(const city::ReadOptions& options) {
+  std::string key = std::to_string(options.max_way_nodes);
+  for (const std::filesystem::path& map : *options.maps) {
+    std::error_code ignored;
+    key +=
+        '\n' + map.string() + '\n' + std::to_string(std::filesystem::file_size(map, ignored)) +
+        ' ' +
+        std::to_string(std::filesystem::last_write_time(map, ignored).time_since_epoch().count());
+  }
+  return key;
+}
+
+// Reads all maps of the city. What was read last is kept, as a bake asks for each map in turn.
+Maps read_all(const city::ReadOptions& options) {
+  static std::mutex mutex;
+  static std::string kept_key;
+  static Maps kept;
+  const std::lock_guard lock(mutex);
+  std::string key = describe(options);
+  if (key != kept_key) {
+    kept_key.clear();
+    kept.clear();
+    for (const std::filesystem::path& map : *options.maps)
+      kept.push_back(std::make_shared<const MapAreas>(read_areas(map, options)));
+    kept_key = std::move(key);
+  }
+  return kept;
+}
+
+bool is_building(const MapArea& area) {
+  return area.tags.contains("building");
+}
+
+void add_own(MapAreas&& areas, FileBuildings& to) {
+  for (MapArea& area : areas.areas)
+    (is_building(area) ? to.buildings : to.parts).push_back(std::move(area));
+  areas.areas.clear();
+  to.counts = std::move(areas);
+  to.own = to.buildings.size();
+  to.is_own_part.assign(to.parts.size(), true);
+}
+
+// The order of parts must not depend on the file: a building that two tiles have is the same in
+// both.
+void sort_parts(FileBuildings& of) {
+  std::vector<std::size_t> order(of.parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return of.parts[a].id < of.parts[b].id; });
+  std::vector<MapArea> parts;
+  std::vector<bool> is_own;
+  for (const std::size_t n : order) {
+    parts.push_back(std::move(of.parts[n]));
+    is_own.push_back(of.is_own_part[n]);
+  }
+  of.parts = std::move(parts);
+  of.is_own_part = std::move(is_own);
+}
+
+void add_others(const Maps& others, FileBuildings& to) {
+  std::unordered_set<std::string> replaced, known;
+  for (const auto& other : others) replaced.insert(other->replaced.begin(), other->replaced.end());
+  std::erase_if(to.buildings, [&](const MapArea& area) { return replaced.contains(area.id); });
+  to.own = to.buildings.size();
+  for (const MapArea& area : to.buildings) known.insert(area.id);
+  for (const MapArea& area : to.parts) known.insert(area.id);
+  for (const auto& other : others)
+    for (const MapArea& area : other->areas) {
+      if (replaced.contains(area.id) || !known.insert(area.id).second) continue;
+      (is_building(area) ? to.buildings : to.parts).push_back(area);
+    }
+  to.is_own_part.resize(to.parts.size(), false);
+  sort_parts(to);
+}
+
+}  // namespace
+
+FileBuildings read_file_buildings(const std::filesystem::path& file,
+                                  const city::ReadOptions& options) {
+  FileBuildings result;
+  const auto* maps = options.maps.get();
+  const auto at = maps ? std::find(maps->begin(), maps->end(), file) : decltype(maps->end())();
+  if (!maps || maps->size() < 2 || at == maps->end()) {
+    add_own(read_areas(file, options), result);
+    return result;
+  }
+  Maps others = read_all(options);
+  const auto own = others.begin() + (at - maps->begin());
+  add_own(MapAreas(**own), result);
+  others.erase(own);
+  add_others(others, result);
+  return result;
+}
+
+}  // namespace nightcity::map_buildings

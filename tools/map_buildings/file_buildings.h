@@ -1,0 +1,29 @@
+// The buildings of one map, with what belongs to them in the other maps of the city.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "tools/city/city_reader.h"
+#include "tools/osm/map_areas.h"
+
+namespace nightcity::map_buildings {
+
+struct FileBuildings {
+  /// The file's own, and behind these the ones that only other maps have: parts may lie in them.
+  std::vector<osm::MapArea> buildings;
+  std::size_t own = 0;
+  /// Parts of buildings, of all maps, each once.
+  std::vector<osm::MapArea> parts;
+  std::vector<bool> is_own_part;  // whether the file has it
+  osm::MapAreas counts;           // of the file, without areas
+};
+
+/// Reads the buildings of `file`. Where it is one of several in `options.maps`, a map that was cut
+/// into tiles is one again: a building at a seam has the parts that only another tile has, and an
+/// outline that is a multipolygon's there is none of its own. Throws Error: missing or broken.
+FileBuildings read_file_buildings(const std::filesystem::path& file,
+                                  const city::ReadOptions& options);
+
+}  // namespace nightcity::map_buildings
