@@ -14,6 +14,8 @@ namespace nightcity::recipe {
 std::vector<Table> make_tables(bake::Recipe& recipe, const std::filesystem::path& folder);
 
 Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& folder);
+Table make_terrain_table(bake::GroundOptions& terrain, const std::filesystem::path& folder);
+Table make_ground_table(bake::CoverOptions& ground);
 Table make_lamp_table(bake::LampStageOptions& lamps, const std::filesystem::path& folder);
 Table make_map_light_table(map_lights::MapLightOptions& lights);
 Table make_traffic_table(bake::Recipe::Traffic& traffic);
