@@ -201,7 +201,7 @@ void GroundBuilder::go_beyond_relief(const georeference::CityFrame& frame,
   const double few = 0.01 * static_cast<double>(feet.size());
   if (static_cast<double>(beyond.size()) <= few) return;
   const auto rings = outline_.find_rings();
-  std::size_t outside = terrain::make_surface_around(rings, beyond, options_.margin_m).points;
+  const std::size_t outside = terrain::make_surface_around(rings, beyond, options_.margin_m).points;
   if (static_cast<double>(outside) <= few) return;  // the others stand in holes of the relief
   if (!options_.elevation_models.empty())
     report_.dem = add_heights(frame, feet, has_ground, beyond);
