@@ -12,10 +12,11 @@ namespace {
 
 constexpr double finest_cell_m = 128;
 constexpr std::size_t max_cached = 320'000;  // triangles, 80 bytes each
-constexpr std::size_t crowded = 256;         // triangles of a bucket
-constexpr std::size_t block_size = 64;       // triangles that share a box where one is crowded
-constexpr double min_plan_area_m2 = 1e-8;    // below it a triangle is a wall or a line
-constexpr double edge_m = 1e-6;              // a point this near to an edge counts as on it
+// Triangles of a bucket: so few are all looked at, and so many are boxed.
+constexpr std::size_t few = 32, crowded = 256;
+constexpr std::size_t block_size = 64;     // triangles that share a box where one is crowded
+constexpr double min_plan_area_m2 = 1e-8;  // below it a triangle is a wall or a line
+constexpr double edge_m = 1e-6;            // a point this near to an edge counts as on it
 constexpr double beyond_any_frame_m = 1e9;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
@@ -24,10 +25,11 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 
 }  // namespace
 
-// A cell's triangles, from the highest on, with a grid of their own: about two per bucket.
+// A cell's triangles with a grid of their own, about two per bucket; from the highest on where a
+// bucket has more than a few.
 struct SurfaceStore::Loaded {
   std::vector<Triangle> triangles;
-  std::vector<double> tops;  // no triangle is higher anywhere
+  std::vector<double> tops;  // no triangle is higher anywhere; empty where they are not sorted
   glm::dvec2 corner{0};
   double buckets_per_m = 1;
   int side = 1;
@@ -37,11 +39,12 @@ struct SurfaceStore::Loaded {
   Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size)
       : triangles(std::move(t)), corner(low) {
     choose_buckets(size);
-    sort_from_the_top();
     sort_into_buckets();
-    if (find_fullest() <= crowded) return;
-    remove_repeats();
-    choose_buckets(size);
+    if (find_fullest() <= few) return;
+    if (find_fullest() > crowded) {
+      remove_repeats();
+      choose_buckets(size);
+    }
     sort_from_the_top();
     sort_into_buckets();
     if (find_fullest() > crowded) box_blocks();
@@ -110,7 +113,6 @@ struct SurfaceStore::Loaded {
     std::sort(order.begin(), order.end());
     std::vector<Triangle> sorted;
     sorted.reserve(order.size());
-    tops.clear();
     tops.reserve(order.size());
     for (const auto& [depth, number] : order) {
       sorted.push_back(triangles[number]);
@@ -196,7 +198,10 @@ struct SurfaceStore::Loaded {
   std::size_t raise(const glm::dvec2& p, std::optional<double>& best) const {
     const std::size_t b = bucket_at(index(p.x - corner.x), index(p.y - corner.y));
     std::size_t count = 0, boxed = 0;  // places of `inside` whose blocks have been asked
-    for (std::size_t i = first[b]; i < first[b + 1] && !(best && *best >= tops[inside[i]]); ++i) {
+    const auto is_below = [&](std::uint32_t triangle) {
+      return !tops.empty() && best && *best >= tops[triangle];
+    };
+    for (std::size_t i = first[b]; i < first[b + 1] && !is_below(inside[i]); ++i) {
       if (!boxes.empty() && i >= boxed) {
         boxed = (i | (block_size - 1)) + 1;
         if (!may_serve(i / block_size, p)) {
