@@ -63,10 +63,10 @@ class Bake {
         output_(folder),  // first: an output that cannot be written is known before the long work
         scene_path_(output_.staged("city.glb")),
         lights_path_(output_.staged("city.lights")),
-        city_(options.city, scene_path_),
+        city_(std::in_place, options.city, scene_path_),
         scene_(scene_path_, options.scene),
-        use_at_(make_use_finder(city_)),
-        tiles_(scene_, scene_path_, options.tiles, std::round(city_.frames().reference().z),
+        use_at_(make_use_finder(*city_)),
+        tiles_(scene_, scene_path_, options.tiles, std::round(city_->frames().reference().z),
                use_at_),
         lights_(lights_path_) {
     for (const auto& file : options.city.files) report_.input_bytes += find_size(file);
@@ -77,20 +77,21 @@ class Bake {
     read_city();
     build_ground();
     Georeference georeference =
-        city_.georeference(tiles_.empty() ? std::nullopt : std::optional(tiles_.middle()));
+        city_->georeference(tiles_.empty() ? std::nullopt : std::optional(tiles_.middle()));
     build_bridges();
     build_barriers();
     build_steps();
-    report_.tiles = tiles_.write(georeference, city_, progress_);
+    report_.tiles = tiles_.write(georeference, *city_, progress_);
     clock_.end_stage("tiles");
     build_horizon(georeference);
     plant_trees(georeference);
     write_lights(georeference);
-    PlacesOfCity places = find_places(city_, find_extent(), georeference);
+    PlacesOfCity places = find_places(*city_, find_extent(), georeference);
     report_.places = std::move(places.report);
     clock_.end_stage("places");
     scene_.finish(georeference, places.places);
     clock_.end_stage("writing city.glb");
+    city_.reset();  // hierarchies need the most memory
     store_hierarchies();
     write_report();
     output_.commit();
@@ -105,59 +106,59 @@ class Bake {
   void read_city() {
     if (options_.windows.lit) windows_.emplace(use_at_, options_.windows, lights_path_);
     std::optional<RoadConsumer> roads;
-    if (options_.uses_streets() && city_.wants_model_streets()) roads.emplace();
+    if (options_.uses_streets() && city_->wants_model_streets()) roads.emplace();
     if (options_.tiles.vegetation == trees::Vegetation::trees) model_trees_.emplace();
-    report_.city = city_.read({&tiles_, windows_ ? &*windows_ : nullptr, roads ? &*roads : nullptr,
-                               model_trees_ ? &*model_trees_ : nullptr},
-                              progress_);
-    report_.crs = city_.frames().descriptions();
+    report_.city = city_->read({&tiles_, windows_ ? &*windows_ : nullptr, roads ? &*roads : nullptr,
+                                model_trees_ ? &*model_trees_ : nullptr},
+                               progress_);
+    report_.crs = city_->frames().descriptions();
     clock_.end_stage("reading the city");
     if (!roads) return;
-    report_.streets = city_.add_model_streets(roads->roads());
+    report_.streets = city_->add_model_streets(roads->roads());
     clock_.end_stage("streets");
   }
 
   void build_ground() {
     begin_step("building the terrain");
     report_.ground =
-        city_.build_ground({&tiles_, windows_ ? &*windows_ : nullptr},
-                           [this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
-    report_.gaps = city_.gaps();
-    report_.skipped_of_map = osm::count_skipped(city_.map());
-    report_.cover.add(city_.cover());
-    tiles_.drape(city_.height_at());
+        city_->build_ground({&tiles_, windows_ ? &*windows_ : nullptr},
+                            [this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
+    report_.gaps = city_->gaps();
+    report_.skipped_of_map = osm::count_skipped(city_->map());
+    report_.cover.add(city_->cover());
+    tiles_.drape(city_->height_at());
     if (tiles_.empty() && !shows_model_trees())
       throw Error(options_.city.files.front().string(), describe_emptiness(options_, report_.city));
     clock_.end_stage("terrain");
   }
 
   void build_bridges() {
-    add_bridge_models(city_, tiles_, report_.bridges);
-    for (const auto& [layer, cover] : city_.bridges().covers()) report_.cover.add(cover);
+    add_bridge_models(*city_, tiles_, report_.bridges);
+    for (const auto& [layer, cover] : city_->bridges().covers()) report_.cover.add(cover);
     clock_.end_stage("bridges");
   }
 
   void build_barriers() {
-    const auto extent = city_.terrain().extent();
-    if (!options_.city.cover.barriers || !extent || !city_.frame().has_lon_lat()) return;
-    add_barrier_models(city_, *extent, tiles_, report_.barriers);
+    const auto extent = city_->terrain().extent();
+    if (!options_.city.cover.barriers || !extent || !city_->frame().has_lon_lat()) return;
+    add_barrier_models(*city_, *extent, tiles_, report_.barriers);
     clock_.end_stage("barriers");
   }
 
   void build_steps() {
     const CoverOptions& cover = options_.city.cover;
-    const auto extent = city_.terrain().extent();
+    const auto extent = city_->terrain().extent();
     if (!cover.streets || !cover.steps || !extent || report_.ground.has_roads ||
-        !city_.frame().has_lon_lat())
+        !city_->frame().has_lon_lat())
       return;
-    add_step_models(city_, *extent, tiles_, report_.steps);
+    add_step_models(*city_, *extent, tiles_, report_.steps);
     clock_.end_stage("steps");
   }
 
   void build_horizon(const Georeference& georeference) {
     if (!options_.city.cover.horizon) return;
     report_.horizon =
-        add_horizon_model(scene_, city_.ground_outline(), tiles_.ground_material(), georeference);
+        add_horizon_model(scene_, city_->ground_outline(), tiles_.ground_material(), georeference);
     clock_.end_stage("horizon");
   }
 
@@ -174,7 +175,7 @@ class Bake {
 
   // Returns the plan of the ground, else of what is shown.
   terrain::Extent find_extent() {
-    if (const auto extent = city_.terrain().extent()) return *extent;
+    if (const auto extent = city_->terrain().extent()) return *extent;
     if (!tiles_.empty()) return tiles_.extent();
     terrain::Extent extent{model_trees().front().place, model_trees().front().place};
     for (const trees::ModelTree& tree : model_trees()) {
@@ -186,13 +187,13 @@ class Bake {
 
   // The map's trees need a ground and longitude and latitude; the model's do not.
   trees::TreeSet find_trees() const {
-    const auto extent = city_.terrain().extent();
-    const bool has_map = extent && city_.frame().has_lon_lat();
+    const auto extent = city_->terrain().extent();
+    const bool has_map = extent && city_->frame().has_lon_lat();
     static const osm::OsmData no_map;
     return trees::find_trees(
-        has_map ? city_.map() : no_map, city_.cover(),
+        has_map ? city_->map() : no_map, city_->cover(),
         extent ? ground_cover::Box{extent->low, extent->high} : ground_cover::Box{},
-        city_.to_frame(), city_.height_at(), find_obstacles(city_), model_trees());
+        city_->to_frame(), city_->height_at(), find_obstacles(*city_), model_trees());
   }
 
   bool shows_model_trees() const {
@@ -206,7 +207,7 @@ class Bake {
   // Gives `georeference` the identity that both files carry.
   void write_lights(Georeference& georeference) {
     begin_step("placing lights");
-    BakedLights baked = bake_lights(city_, windows_ ? &*windows_ : nullptr, options_.lights,
+    BakedLights baked = bake_lights(*city_, windows_ ? &*windows_ : nullptr, options_.lights,
                                     {scene_, lights_, georeference, lights_path_});
     georeference.scene_id = lights_.scene_id(georeference);
     windows_.reset();
@@ -214,7 +215,7 @@ class Bake {
     clock_.end_stage("lights");
     traffic::TrafficSet traffic;
     if (options_.makes_traffic) {
-      traffic = make_city_traffic(city_, options_.traffic, georeference, progress_);
+      traffic = make_city_traffic(*city_, options_.traffic, georeference, progress_);
       add_vehicle_models(scene_, traffic, night_begin_s + 60 * options_.lights.shown_minute);
       report_.traffic = traffic.report;
       clock_.end_stage("traffic");
@@ -251,7 +252,7 @@ class Bake {
   StageClock clock_;
   OutputFolder output_;
   std::filesystem::path scene_path_, lights_path_;
-  City city_;
+  std::optional<City> city_;  // until all of it is written
   SceneWriter scene_;
   lights::UseAt use_at_;
   SceneTiles tiles_;
