@@ -53,8 +53,8 @@ struct BarrierSet {
 constexpr double max_length_m = 4e6;
 
 /// Finds the barriers that stand on the ground within `bounds` (E, N, m): neither in buildings nor
-/// on the carriageways of `cover`, which both sides of thick ones end at, and open at gates and where a path meets them. Of several
-/// barriers along one line the most solid stands.
+/// on the carriageways of `cover`, which both sides of thick ones end at, and open at gates and
+/// where a path meets them. Of several barriers along one line the most solid stands.
 BarrierSet find_barriers(const osm::OsmData& map, const ground_cover::Cover& cover,
                          const ground_cover::Box& bounds, const place::LonLatToFrame& to_frame,
                          const place::HeightAt& height_at, const place::InsideBuilding& inside);

@@ -1,4 +1,4 @@
-// What barriers do not stand in: buildings, carriageways, openings, and what lies beyond the ground.
+// Places where barriers do not stand: buildings, carriageways, openings, all beyond the ground.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a SourceCrs holds: handles of PROJ, and what they say about the CRS.
+// The handles of PROJ that a SourceCrs holds, and what they say about the CRS.
 #pragma once
 
 #include <string>

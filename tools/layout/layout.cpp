@@ -105,8 +105,8 @@ class Layouter {
     plan.wanted = *wanted;
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
 
-    // Take the side with fewer obstacles, or the southern one if both are alike. Twin carriageways get
-    // their lamps on their outer sides.
+    // Take the side with fewer obstacles, or the southern one if both are alike. Twin carriageways
+    // get their lamps on their outer sides.
     const int parts = parts_of(street, plan.design);
     int faults[2] = {0, 0}, blocked = 0, tried = 0;
     for (int i = 0; i <= parts; ++i) {

@@ -18,7 +18,8 @@ struct Shell {
   bool consistent = true;  // no polygon had to face both ways
   bool closed = true;
   double volume = 0;  // with its polygons turned
-  // In plan: roofs and floors, and how much of them faces out (roofs up, floors down) less the rest.
+  // In plan: roofs and floors, and how much of them faces out (roofs up, floors down) less the
+  // rest.
   double roofs_m2 = 0, floors_m2 = 0, roofs_out_m2 = 0, floors_out_m2 = 0;
   bool has_walls = false;
   glm::dvec3 low{std::numeric_limits<double>::infinity()},

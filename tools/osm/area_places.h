@@ -18,8 +18,8 @@
 
 namespace nightcity::osm {
 
-/// Gives ways the places of their nodes, unless they hold them themselves. A map that lies on the far
-/// side of the globe is turned by 180 degrees, so that areas across the antimeridian are whole.
+/// Gives ways the places of their nodes, unless they hold them themselves. A map that lies on the
+/// far side of the globe is turned by 180 degrees, so that areas across the antimeridian are whole.
 class AreaPlaces : public osmium::handler::Handler {
  public:
   explicit AreaPlaces(const AreaSelection& selection) : selection_(selection) {}

@@ -11,8 +11,8 @@
 namespace nightcity::place {
 
 /// Returns longitude and latitude, degrees, of the place at a share of the straight line that leads
-/// from `a` to `b` in the frame. A straight line of degrees is a curve there: at 69 degrees north it
-/// lies 36 m beside one of 24 km.
+/// from `a` to `b` in the frame. A straight line of degrees is a curve there: at 69 degrees north
+/// it lies 36 m beside one of 24 km.
 inline glm::dvec2 find_between(const glm::dvec2& a, const glm::dvec2& b, double share,
                                const LonLatToFrame& to_frame) {
   if (!(share > 0)) return a;

@@ -57,7 +57,8 @@ void append(Run& to, const Run& next) {
   to.last = next.last;
 }
 
-// An order of runs that their places and tags decide. Ids only tell apart ways that are drawn twice.
+// An order of runs that their places and tags decide. Ids only tell apart ways that are drawn
+// twice.
 bool comes_first(const Run& a, const Run& b) {
   const Street &x = a.street, &y = b.street;
   if (comes_before_either_way(x.line, y.line)) return true;

@@ -28,9 +28,9 @@ class Terrain {
   Terrain(Terrain&&) noexcept;
   Terrain& operator=(Terrain&&) noexcept;
 
-  /// Adds triangles (E, N, H in metres) of one class. build() makes no surface where some of terrain
-  /// have come. Vertical, degenerate and non-finite triangles are left out: nothing can stand on
-  /// them.
+  /// Adds triangles (E, N, H in metres) of one class. build() makes no surface where some of
+  /// terrain have come. Vertical, degenerate and non-finite triangles are left out: nothing can
+  /// stand on them.
   void add(const mesh::TriangleMesh& mesh, SurfaceClass surface_class);
   /// Adds mass points of the model's relief.
   void add_points(std::span<const glm::dvec3> points);

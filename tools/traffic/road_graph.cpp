@@ -148,8 +148,8 @@ void mark_borders(RoadGraph& graph, const std::vector<bool>& was_cut) {
   }
 }
 
-// Returns one country for the whole map, as no town drives on both sides: that of most nodes, of two
-// the one whose name comes first. Null where no way has a node.
+// Returns one country for the whole map, as no town drives on both sides: that of most nodes, of
+// two the one whose name comes first. Null where no way has a node.
 const Country* find_country(const std::vector<osm::OsmWay>& highways) {
   std::map<std::string_view, std::pair<std::size_t, const Country*>> votes;
   for (const osm::OsmWay& way : highways)

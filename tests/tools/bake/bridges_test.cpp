@@ -29,8 +29,8 @@ using test::TempFolder;
 constexpr double clear_m = 4.5, top_m = clear_m + bridges::deck_m;
 
 // Writes a map: houses around a street that a bridge of 220 m takes over another street, with lamps
-// on the bridge, below it and beside it, and a tram on it. `reversed`: the ways run the other
-// way. `path_below`: a path runs below the whole bridge, beside its middle. Returns the recipe, which
+// on the bridge, below it and beside it, and a tram on it. `reversed`: the ways run the other way.
+// `path_below`: a path runs below the whole bridge, beside its middle. Returns the recipe, which
 // ends in `more`.
 fs::path write_map_with_bridge(const fs::path& folder, const std::string& more = {},
                                bool reversed = false, bool path_below = false) {
