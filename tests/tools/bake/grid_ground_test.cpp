@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "support/temp_folder.h"
