@@ -85,8 +85,7 @@ std::string SourceCrs::doubt() const {
     return {};
   return "no shift from WGS 84 to the datum of " + s.name +
          " is known, and none is made: lamps and streets commonly lie 60 to 460 m off; coordinates "
-         "in "
-         "a later CRS, control_points or a PROJ string with +towgs84 help";
+         "in a later CRS, control_points or a PROJ string with +towgs84 help";
 }
 
 bool SourceCrs::geographic() const {

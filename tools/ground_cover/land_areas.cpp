@@ -286,7 +286,7 @@ void add_land(std::span<const osm::MapArea> areas, const place::LonLatToFrame& t
       found.emplace_back(m2, std::move(made));
     }
   }
-  // Of areas of one size their kinds decide, and not their order in the map.
+  // The kinds of areas of one size decide, and not their order in the map.
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first, a.second.surface) < std::pair(b.first, b.second.surface);
   });

@@ -76,8 +76,8 @@ class Placer {
     posts.push_back({&node, std::move(tags), at});
   }
 
-  /// Of posts in one place an inventory's stays, then the one of which the map says more; their ids
-  /// and their order do not matter.
+  /// Leaves one post in each place: an inventory's, else the one of which the map says more. Their
+  /// ids and their order do not matter.
   void leave_out_duplicates(std::vector<Post>& posts) {
     std::vector<Post*> order;
     for (Post& post : posts) order.push_back(&post);

@@ -86,8 +86,7 @@ class AreaPlaces : public osmium::handler::Handler {
   const AreaSelection& selection_;
   using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
   Index places_, of_editor_;
-  std::int64_t balance_ =
-      0;  // of nodes: those farther than 90 degrees east or west, less the others
+  std::int64_t balance_ = 0;  // nodes beyond 90 degrees east or west, less the others
   bool sorted_ = false;
 };
 

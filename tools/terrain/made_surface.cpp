@@ -106,19 +106,24 @@ void insert_points(Triangulation& triangulation, const std::vector<glm::dvec3>& 
   triangulation.insert(input.begin(), input.end());
 }
 
-template <class Triangulation>
-mesh::TriangleMesh to_mesh(const Triangulation& triangulation, std::vector<glm::dvec3> positions) {
+// `is_shown` decides by a face's handle. Vertices' numbers are places in `positions`.
+template <class Triangulation, class IsShown>
+mesh::TriangleMesh to_mesh(const Triangulation& triangulation, std::vector<glm::dvec3> positions,
+                           const IsShown& is_shown) {
   mesh::TriangleMesh mesh;
   mesh.positions = std::move(positions);
   mesh.triangles.reserve(triangulation.number_of_faces());
   for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
        ++face)
-    mesh.triangles.push_back(
-        {{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
-         city::SurfaceType::terrain,
-         0});
+    if (is_shown(typename Triangulation::Face_handle(face)))
+      mesh.triangles.push_back(
+          {{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
+           city::SurfaceType::terrain,
+           0});
   return mesh;
 }
+
+constexpr auto every_face = [](const auto&) { return true; };
 
 // A Delaunay triangulation through points with lines that are edges of it.
 class ConstrainedSurface {
@@ -175,18 +180,12 @@ class ConstrainedSurface {
   // Returns the faces that `is_shown`.
   template <class IsShown>
   mesh::TriangleMesh make_mesh(const IsShown& is_shown) {
-    mesh::TriangleMesh mesh;
+    std::vector<glm::dvec3> positions;
     for (auto v = surface_.finite_vertices_begin(); v != surface_.finite_vertices_end(); ++v) {
-      v->info() = static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.emplace_back(v->point().x(), v->point().y(), v->point().z());
+      v->info() = static_cast<std::uint32_t>(positions.size());
+      positions.emplace_back(v->point().x(), v->point().y(), v->point().z());
     }
-    for (auto face = surface_.finite_faces_begin(); face != surface_.finite_faces_end(); ++face)
-      if (is_shown(Constrained::Face_handle(face)))
-        mesh.triangles.push_back(
-            {{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
-             city::SurfaceType::terrain,
-             0});
-    return mesh;
+    return to_mesh(surface_, std::move(positions), is_shown);
   }
 
   std::size_t edges() const { return edges_; }
@@ -217,7 +216,7 @@ mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m,
   if (points.empty()) return {};
   Delaunay delaunay;
   insert_points(delaunay, points);
-  return to_mesh(delaunay, std::move(points));
+  return to_mesh(delaunay, std::move(points), every_face);
 }
 
 BreakSurface make_surface(std::vector<glm::dvec3> points,
@@ -230,7 +229,7 @@ BreakSurface make_surface(std::vector<glm::dvec3> points,
   for (const auto& line : lines) surface.add_line(line);
   result.edges = surface.edges();
   result.unused_edges = surface.unused_edges();
-  result.mesh = surface.make_mesh([](Constrained::Face_handle) { return true; });
+  result.mesh = surface.make_mesh(every_face);
   return result;
 }
 

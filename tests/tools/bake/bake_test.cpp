@@ -494,8 +494,8 @@ TEST(Bake, AMapsBuildingsStandOnTheLowestGroundBelowThem) {
             wall = boxes(folder / "out/city.glb").at("wall");
   // The slope is 76 m high at x = 391000 and rises by 1 m in 100.
   EXPECT_NEAR(wall.least.z, 76, 0.02);
-  // That beyond the model stands as high as the slope's end 200 m before it, 80 m, within what a
-  // circle of twice the distance may be off; those on the slope end at 90 m at most.
+  // The house beyond the model stands as high as the slope's end 200 m before it, 80 m, within what
+  // a circle of twice the distance may be off; those on the slope end at 90 m at most.
   EXPECT_NEAR(roof.greatest.z, 80 + 12, 2);
   EXPECT_GT(roof.greatest.z, 90.02);
   EXPECT_NEAR(roof.least.z, 76 + 6, 0.02) << "two levels are assumed";

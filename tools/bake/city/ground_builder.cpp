@@ -201,16 +201,16 @@ void GroundBuilder::go_beyond_relief(const georeference::CityFrame& frame,
   const double few = 0.01 * static_cast<double>(feet.size());
   if (static_cast<double>(beyond.size()) <= few) return;
   const auto rings = outline_.find_rings();
-  const std::size_t outside = terrain::make_surface_around(rings, beyond, options_.margin_m).points;
-  if (static_cast<double>(outside) <= few) return;  // the others stand in holes of the relief
-  if (!options_.elevation_models.empty())
+  terrain::SurfaceAround around = terrain::make_surface_around(rings, beyond, options_.margin_m);
+  const auto outside = static_cast<double>(around.points);
+  if (outside <= few) return;  // the others stand in holes of the relief
+  if (!options_.elevation_models.empty()) {
     report_.dem = add_heights(frame, feet, has_ground, beyond);
-  const terrain::SurfaceAround around =
-      terrain::make_surface_around(rings, std::move(beyond), options_.margin_m);
+    around = terrain::make_surface_around(rings, std::move(beyond), options_.margin_m);
+  }
   terrain_.add(around.mesh, terrain::SurfaceClass::terrain);
   show(around.mesh);
-  report_.beyond_relief_percent =
-      100 * static_cast<double>(outside) / static_cast<double>(feet.size());
+  report_.beyond_relief_percent = 100 * outside / static_cast<double>(feet.size());
 }
 
 // Puts the heights of elevation models in the place of feet, where there are any and no ground.

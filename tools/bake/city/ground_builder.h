@@ -1,5 +1,5 @@
 // The ground of a city: its own relief, else elevation models, else a surface through the
-// buildings' footprints.
+// buildings' footprints. Where one ends within the city, the next goes on.
 #pragma once
 
 #include <filesystem>

@@ -43,9 +43,10 @@ class GroundHeights {
   void move(std::size_t kind, double shift_m) { kinds_[kind].shift_m = shift_m; }
 
   /// Returns a height (m) for each place (E, N), with its kind's shift: that of the finest model
-  /// that has one there, of about equally fine ones the first; NaN where none has. Places that lie
-  /// together are read together. Safe to call from several threads, one of which works at a time.
-  /// Throws Error when a model cannot be read.
+  /// that has one there, of about equally fine ones the first, between tiles that meet both
+  /// (terrain::sample_models); NaN where none has. Places that lie together are read together. Safe
+  /// to call from several threads, one of which works at a time. Throws Error when a model cannot
+  /// be read.
   std::vector<double> at(std::span<const glm::dvec2> places) const { return read(places, kinds_); }
   /// Returns the height at a place, or where the models have none, one that they have near it:
   /// of the nearest of circles around it whose radii double, the first of 16 places that has one.

@@ -7,7 +7,7 @@ namespace nightcity::recipe {
 Table make_terrain_table(bake::GroundOptions& terrain, const std::filesystem::path& folder) {
   return {
       "terrain",
-      "The ground of a city whose model has no relief.",
+      "The ground of a city where its model has no relief.",
       {paths_key(
            "dem", terrain.elevation_models, folder, {.expand = terrain::list_raster_files},
            R"(["heights.tif", "tiles.zip"])",
@@ -17,8 +17,8 @@ Table make_terrain_table(bake::GroundOptions& terrain, const std::filesystem::pa
            "in it and in the folders inside it, a .zip for those in it with their .tfw, .prj or "
            ".hdr (a text in it is one where nothing else is), and a .gz is unpacked. Rasters that "
            "come beside heights and say how good they are (`_HEM`, `_num`, ...) are passed over, "
-           "with a note. Where several have a height the "
-           "finest decides, of about equally fine ones the first. Their heights are moved to meet "
+           "with a note. Where several have a height the finest decides, of about equally fine "
+           "ones the first, and between tiles that meet both do. Their heights are moved to meet "
            "the buildings, those of each resolution by themselves. Where none has a height, the "
            "ground goes on between the edges of the data and the buildings' feet (`make_surface`), "
            "and a map's building stands on a height near it, within 5 km; the report says how "
@@ -44,7 +44,8 @@ Table make_terrain_table(bake::GroundOptions& terrain, const std::filesystem::pa
                   "ground stays within so much above or below each of them. Borders of tiles "
                   "and of the model's own triangles still meet. 0 leaves all."),
        number_key("margin_m", terrain.margin_m, {0, 10000}, "m",
-                  "How far a ground made by this program reaches beyond the buildings."),
+                  "How far a ground made by this program reaches beyond the buildings. One on "
+                  "elevation models also lies between buildings that are up to 1 km apart."),
        number_key("map_reach_m", terrain.map_reach_m, {0, 10000}, "m",
                   "Where the city is the map alone: how far at most its ground reaches beyond "
                   "the tiles that its buildings lie in, to hold the map's streets, tracks and "
@@ -56,8 +57,7 @@ Table make_ground_table(bake::CoverOptions& ground) {
   return {
       "ground",
       "What lies and stands on the ground, from the map. The ground's triangles are cut along the "
-      "outlines, "
-      "so that no two surfaces lie in one place.",
+      "outlines, so that no two surfaces lie in one place.",
       {flag_key("streets", ground.streets,
                 "Streets as surfaces, where the city model has no roads of its own: "
                 "carriageways, cycle tracks, pavements and paths. Widths are those that lamps "

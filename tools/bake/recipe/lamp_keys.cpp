@@ -212,8 +212,7 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
        number_key("within_m", row.within_m, {0, 100}, "m",
                   "A lamp of the map, or of an inventory that is named later, as near as this to a "
                   "lamp of the inventory is the same lamp and is not used. The default is how well "
-                  "a phone knows its place under open sky "
-                  "(4.9 m, gps.gov); 0 keeps all."),
+                  "a phone knows its place under open sky (4.9 m, gps.gov); 0 keeps all."),
        integer_key("max_lamps", row.max_lamps, 1, 100'000'000,
                    "A limit: the bake ends at an inventory of more rows or lamps."),
        text_key("licence", row.licence, "\"City of Example, CC0\"",

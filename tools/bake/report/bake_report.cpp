@@ -76,8 +76,9 @@ std::string surfaces_in_words(const BakeReport& report) {
                              ground.beyond_relief_percent)
                : "") +
           (ground.dem.empty() ? "" : ", dem " + ground.dem) +
-          (beyond ? fmt::format(", {} buildings beyond its data stand as high as near them", beyond)
-                  : "") +
+          (beyond
+               ? fmt::format(", {} buildings beyond its data stand as high as the nearest", beyond)
+               : "") +
           (tiles.draped ? fmt::format(", {} triangles without heights put onto it", tiles.draped)
                         : ""));
   if (report.horizon.triangles > 0)
