@@ -95,6 +95,12 @@ struct PixelBlock {
   uint hidden;  // those of them that met one
 };
 
+// What a surface reflects of a sample towards the viewer. 16 bytes.
+struct ReflectedSample {
+  vec3 in_clear_air;  // cd/m^2 per unit of uv: its luminance is the target function
+  float passed;       // the share that the air between light and surface lets pass
+};
+
 // A ray of a list (rays.comp).
 struct ProbeRay {
   vec3 from;    // model space, m
@@ -130,6 +136,7 @@ static_assert(sizeof(ProbeRay) == 32);
 ARRAY_REFERENCE_16(Surfaces, Surface, )
 ARRAY_REFERENCE_16(Reservoirs, Reservoir, )
 ARRAY_REFERENCE(Targets, float, )
+ARRAY_REFERENCE_16(ReflectedSamples, ReflectedSample, )
 ARRAY_REFERENCE_16(ProbeRays, ProbeRay, readonly)
 ARRAY_REFERENCE(PixelBlocks, PixelBlock, )
 ARRAY_REFERENCE(PathVertices, PathVertex, )
@@ -201,9 +208,9 @@ struct Frame {
   BUFFER(Reservoirs) previous_reservoirs;
   // Written by pair_targets.comp, a picture for each pairing: the pixel's partner, or NO_HIT.
   BUFFER(Words) pair_partners;
-  // The pixel's target of its own sample and, a picture for each pairing, of its partner's sample.
-  // Targets of empty reservoirs are not written.
-  BUFFER(Targets) pair_targets;
+  // What the pixel reflects of its own sample and, a picture for each pairing, of its partner's
+  // sample. Those of empty reservoirs are not written.
+  BUFFER(ReflectedSamples) pair_samples;
   BUFFER(PixelBlocks) blocks;
   BUFFER(PixelBlocks) previous_blocks;
   BUFFER(PathVertices) path;  // of the reference

@@ -1,7 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Spatial reuse in pairs, second half: combines the pixel's reservoir with its partners', by the
-// targets that pair_targets.comp left on both sides of each pair.
+// Spatial reuse in pairs, second half: combines the pixel's reservoir with its partners', by what
+// pair_targets.comp left on both sides of each pair. With shadowed targets it adds up the light of
+// all these samples for shade.comp: the one that is kept has the luminance of all, but its own
+// colour.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -13,6 +15,38 @@
 #include "shaders/similar.glsl"
 #include "shaders/pairing.glsl"
 #include "shaders/reuse.glsl"
+#include "shaders/accumulation.glsl"
+#include "shaders/layers.glsl"
+
+// The light of the samples that a pixel combines.
+struct Direct {
+  vec3 sum;
+  LightLayers layers;
+};
+
+// Adds what a weight counts of the sample of a reservoir.
+void add_light(inout Direct direct, Reservoir from, ReflectedSample s, float weight) {
+  if (!has_shadowed_target(ESTIMATOR) || !(weight > 0.0)) return;
+  const vec3 light = s.in_clear_air * (s.passed * weight);
+  direct.sum += light;
+  if (HAS_LAYERS != 0u) add_direct(direct.layers, from.light, light_at(from.light), light);
+}
+
+void store_light(uint index, Direct direct) {
+  if (!has_shadowed_target(ESTIMATOR)) return;
+  FRAME.radiance.at[index] = single_frame(direct.sum);
+  if (HAS_LAYERS == 0u) return;
+  const vec3 seen = FRAME.surfaces.at[index].position;
+  see_through_air(direct.layers, transmittance(seen, FRAME.camera.position), vec3(0.0));
+  add_layers(index, direct.layers, FRAME.reset != 0u);
+}
+
+// Returns what a pixel reflects of a reservoir's sample; nothing where the reservoir is empty,
+// because pair_targets.comp has not written it then.
+ReflectedSample reflected_of(Reservoir r, uint place) {
+  if (!(r.W > 0.0)) return NOTHING_REFLECTED;
+  return FRAME.pair_samples.at[place];
+}
 
 void main() {
   uvec2 pixel;
@@ -34,24 +68,29 @@ void main() {
     partners[found] = partner;
     pairings[found++] = i;
   }
+  const ReflectedSample own = reflected_of(canonical, index);
+  Direct direct = Direct(vec3(0.0), NO_LAYERS);
   if (found == 0u) {
     FRAME.spatial.at[index] = canonical;
+    add_light(direct, canonical, own, canonical.W);
+    store_light(index, direct);
     return;
   }
 
   seed_random(pixel, STREAM_SPATIAL);
-  Reuse reuse = begin_reuse(canonical, FRAME.pair_targets.at[index], others_M);
+  Reuse reuse = begin_reuse(canonical, target_of(own), others_M);
   for (uint i = 0u; i < found; ++i) {
     const Reservoir other = FRAME.reservoirs.at[partners[i]];
-    PairTargets p = PairTargets(0.0, 0.0, 0.0);  // where a reservoir is empty, none was written
-    if (other.W > 0.0) {
-      p.other_here = FRAME.pair_targets.at[pair_target_place(pairings[i], index)];
-      p.other_there = FRAME.pair_targets.at[partners[i]];
-    }
-    if (canonical.W > 0.0)
-      p.canonical_there = FRAME.pair_targets.at[pair_target_place(pairings[i], partners[i])];
-    add_pair(reuse, other, p, i + 1u);
+    const ReflectedSample here =
+        reflected_of(other, pair_target_place(pairings[i], index));
+    PairTargets p;
+    p.other_here = target_of(here);
+    p.other_there = target_of(reflected_of(other, partners[i]));
+    p.canonical_there =
+        target_of(reflected_of(canonical, pair_target_place(pairings[i], partners[i])));
+    add_light(direct, other, here, add_pair(reuse, other, p, i + 1u));
   }
-  add_canonical(reuse, canonical);
+  add_light(direct, canonical, own, add_canonical(reuse, canonical));
   FRAME.spatial.at[index] = finalize_with_roulette(reuse.builder, 1.0);
+  store_light(index, direct);
 }

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Spatial reuse in pairs, first half: each pixel's target of its own sample and of its partners'
-// samples. With shadowed targets, this is a shadow ray for each partner.
+// Spatial reuse in pairs, first half: what each pixel reflects of its own sample and of its
+// partners' samples. With shadowed targets, this is a shadow ray for each partner.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -43,11 +43,10 @@ void main() {
       if (partner == NO_HIT) continue;
       place = pair_target_place(pairing, index);
     }
+    if (!(sampled.W > 0.0)) continue;
     // The own sample is visible from here, or its W would be 0.
     const bool shadowed = !is_own && has_shadowed_target(ESTIMATOR);
-    if (sampled.W > 0.0)
-      FRAME.pair_targets.at[place] = target(receiver, sampled.light, sampled.uv, shadowed);
-    else if (is_own)
-      FRAME.pair_targets.at[place] = 0.0;
+    FRAME.pair_samples.at[place] =
+        reflected_sample(receiver, sampled.light, sampled.uv, shadowed);
   }
 }

@@ -58,8 +58,9 @@ struct PairTargets {
   float canonical_there;
 };
 
-// Adds the i-th other reservoir (i from 1) with its pairwise weight.
-void add_pair(inout Reuse reuse, Reservoir other, PairTargets p, uint i) {
+// Adds the i-th other reservoir (i from 1) with its pairwise weight, m_i. Returns m_i W_i, the
+// weight of its sample's light.
+float add_pair(inout Reuse reuse, Reservoir other, PairTargets p, uint i) {
   const float total = reuse.others_M + reuse.canonical_M;
   const float share = other.M / reuse.others_M;
   const float m =
@@ -68,8 +69,10 @@ void add_pair(inout Reuse reuse, Reservoir other, PairTargets p, uint i) {
   if (reuse.canonical_target > 0.0)
     reuse.canonical_share += share * (1.0 - pair_share(p.canonical_there, reuse.others_M,
                                                        reuse.canonical_target, reuse.canonical_M));
-  if (update(reuse.builder, other.light, other.uv, p.other_here, m * p.other_here * other.W))
+  const float weight = m * other.W;
+  if (update(reuse.builder, other.light, other.uv, p.other_here, weight * p.other_here))
     reuse.chosen = i;
+  return weight;
 }
 
 // Adds the i-th other reservoir (i from 1), of a pixel whose surface is `there`.
@@ -92,17 +95,19 @@ void add_other(inout Reuse reuse, Receiver receiver, Reservoir canonical, Reserv
   add_pair(reuse, other, p, i);
 }
 
-// Adds the canonical sample, after the others, because its share has to be known.
-void add_canonical(inout Reuse reuse, Reservoir canonical) {
+// Adds the canonical sample, after the others, because its share has to be known. Returns its m W.
+float add_canonical(inout Reuse reuse, Reservoir canonical) {
   float m = canonical.M;
   if (reuse_weights(ESTIMATOR) == WEIGHTS_PAIRWISE) {
     const float total = reuse.others_M + reuse.canonical_M;
     m = (reuse.canonical_M + reuse.others_M * reuse.canonical_share) / total;
   }
-  const float weight = m * reuse.canonical_target * canonical.W;
-  if (update(reuse.builder, canonical.light, canonical.uv, reuse.canonical_target, weight))
+  const float weight = m * canonical.W;
+  if (update(reuse.builder, canonical.light, canonical.uv, reuse.canonical_target,
+             weight * reuse.canonical_target))
     reuse.chosen = 0u;
   reuse.builder.M = reuse.canonical_M + reuse.others_M;
+  return weight;
 }
 
 // The balance heuristic of the chosen sample, summed over the pixels that could have made it

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Final shading: f(y) V(y) W of the selected sample, plus what the surface emits by itself.
+// Final shading: f(y) V(y) W of the selected sample, or what pair_reuse.comp has added up of all
+// samples, plus what the surface emits by itself.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -40,12 +41,32 @@ vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel, uint in
 #endif
 }
 
+// Returns whether pair_reuse.comp has added up the direct light of a pixel.
+bool has_light_of_pairs(uvec2 pixel) {
+  return has_shadowed_target(ESTIMATOR) && FRAME.neighbours > 0u && is_of_this_frame(pixel);
+}
+
+// Returns the light of the pixel's sample, cd/m^2 per channel.
+vec3 reflected_direct(Receiver receiver, uint index, inout LightLayers layers) {
+  const Reservoir reservoir = FRAME.spatial.at[index];
+  if (!(reservoir.W > 0.0 && reservoir.light < SCENE.light_count)) return vec3(0.0);
+  const Light light = light_at(reservoir.light);
+  const LightSample s = sample_point(light, uv_of(reservoir.uv), receiver.position);
+  // With shadowed targets the sample is known to be visible: an occluded one has W = 0.
+  if (!has_shadowed_target(ESTIMATOR) && occluded(receiver.origin, s.point, false))
+    return vec3(0.0);
+  const vec3 direct = reflected(receiver, s) * reservoir.W;
+  add_direct(layers, reservoir.light, light, direct);
+  return direct;
+}
+
 void main() {
   uvec2 pixel;
   uint index;
   if (!any_pixel_of_invocation(pixel, index)) return;
   if (FRAME.half_rate != 0u && is_filled(FRAME.spatial.at[index])) return;
   const Surface surface = FRAME.surfaces.at[index];
+  const bool in_pairs = has_light_of_pairs(pixel);
   LightLayers layers = NO_LAYERS;
   vec3 radiance;
   if (surface.depth > 0.0) {
@@ -60,17 +81,7 @@ void main() {
       layers.indirect = reflected_indirect(surface, receiver, pixel, index);
       radiance += layers.indirect;
     }
-    const Reservoir reservoir = FRAME.spatial.at[index];
-    if (reservoir.W > 0.0 && reservoir.light < SCENE.light_count) {
-      const Light light = light_at(reservoir.light);
-      const LightSample s = sample_point(light, uv_of(reservoir.uv), receiver.position);
-      // With shadowed targets the sample is known to be visible: an occluded one has W = 0.
-      if (has_shadowed_target(ESTIMATOR) || !occluded(receiver.origin, s.point, false)) {
-        const vec3 direct = reflected(receiver, s) * reservoir.W;
-        add_direct(layers, reservoir.light, light, direct);
-        radiance += direct;
-      }
-    }
+    radiance += in_pairs ? FRAME.radiance.at[index].sum : reflected_direct(receiver, index, layers);
     const float passed = transmittance(surface.position, FRAME.camera.position);
     const vec3 airlight = sky_airlight(camera_direction(pixel), passed);
     radiance = radiance * passed + airlight;
@@ -79,5 +90,5 @@ void main() {
     radiance = layers.emitted = seen_sky(pixel);
   }
   FRAME.radiance.at[index] = single_frame(radiance);
-  add_layers(index, layers, FRAME.reset != 0u);
+  add_layers(index, layers, FRAME.reset != 0u && !in_pairs);
 }

@@ -103,18 +103,37 @@ vec3 reflected(Receiver r, LightSample s) {
   return cosine > 0.0 ? brdf(r, s.direction) * s.value * cosine : vec3(0.0);
 }
 
-// Returns the target function p^: without air, >= 0 and finite. With `shadowed` it is 0 where
-// something casts a shadow between receiver and sample.
-float target_of(Receiver r, Light light, uint uv, bool shadowed) {
+const ReflectedSample NOTHING_REFLECTED = ReflectedSample(vec3(0.0), 1.0);
+
+// Returns what a receiver reflects of a sample, nothing where that is not finite. With `shadowed`
+// it is also nothing where something casts a shadow between receiver and sample.
+ReflectedSample reflected_sample_of(Receiver r, Light light, uint uv, bool shadowed) {
   const LightSample s = sample_in_clear_air(light, uv_of(uv), r.position);
-  const float p = luminance(reflected(r, s)) * share_of_path(r, s.point);
-  if (!(p > 0.0 && finite(p))) return 0.0;
-  return shadowed && occluded(r.origin, s.point, r.before) ? 0.0 : p;
+  const vec3 in_clear_air = reflected(r, s) * share_of_path(r, s.point);
+  const float p = luminance(in_clear_air);
+  if (!(p > 0.0 && finite(p))) return NOTHING_REFLECTED;
+  if (shadowed && occluded(r.origin, s.point, r.before)) return NOTHING_REFLECTED;
+  return ReflectedSample(in_clear_air, transmittance(s.point, r.position));
+}
+
+// As above, by the light's index; nothing for an index out of range.
+ReflectedSample reflected_sample(Receiver r, uint light, uint uv, bool shadowed) {
+  return light < SCENE.light_count
+             ? reflected_sample_of(r, light_at(light, r.before), uv, shadowed)
+             : NOTHING_REFLECTED;
+}
+
+// Returns the target function p^, >= 0 and finite: without air, and with `shadowed` 0 where
+// something casts a shadow.
+float target_of(ReflectedSample s) { return luminance(s.in_clear_air); }
+
+float target_of(Receiver r, Light light, uint uv, bool shadowed) {
+  return target_of(reflected_sample_of(r, light, uv, shadowed));
 }
 
 // As above, by the light's index; 0 for an index out of range.
 float target(Receiver r, uint light, uint uv, bool shadowed) {
-  return light < SCENE.light_count ? target_of(r, light_at(light, r.before), uv, shadowed) : 0.0;
+  return target_of(reflected_sample(r, light, uv, shadowed));
 }
 
 float target(Receiver r, uint light, uint uv) { return target(r, light, uv, false); }

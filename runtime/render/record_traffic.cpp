@@ -20,14 +20,16 @@ void add_sampling(std::map<std::string, std::size_t>& bytes, const RenderSetting
   if (neighbours == 0) {
     bytes["copy"] = 2 * reservoir;
   } else if (traits.pairs) {
-    // A partner for each pairing, used or not; a target for each partner, and of its own sample.
-    const std::size_t pairs = (pairings_of(settings.reuse) + neighbours + 1) * word;
+    // A partner for each pairing, used or not; what each partner's sample and the own one give.
+    const std::size_t pairs =
+        pairings_of(settings.reuse) * word + (neighbours + 1) * sizeof(gpu::ReflectedSample);
     bytes["spatial targets"] = surface + reservoir + pairs;
-    bytes["spatial"] = pairs + 2 * reservoir;
+    bytes["spatial"] = pairs + 2 * reservoir + (traits.shadowed_target ? mean : 0);
   } else {
     bytes["spatial"] = surface + 2 * reservoir;
   }
-  bytes["shade"] = surface + reservoir + mean;
+  const bool in_pairs = neighbours > 0 && traits.pairs && traits.shadowed_target;
+  bytes["shade"] = surface + (in_pairs ? mean : reservoir) + mean;
   if (settings.sampling.layers) bytes["shade"] += 2 * sizeof(gpu::LayerSums);
 }
 

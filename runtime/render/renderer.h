@@ -185,7 +185,7 @@ class Renderer {
   PictureBuffers pictures_[2];  // of the last complete frame (parity_) and of the other
   gpu::Buffer reservoirs_, radiance_;
   // Allocated when first needed.
-  gpu::Buffer layers_, denoise_[2], denoised_, pair_partners_, pair_targets_, path_, ray_count_;
+  gpu::Buffer layers_, denoise_[2], denoised_, pair_partners_, pair_samples_, path_, ray_count_;
   std::shared_ptr<const PassSet> passes_;  // of the begun frame, then of the last complete one
   glm::uvec2 picture_size_;                // that is asked for
   glm::uvec2 size_;                        // of the next frame

@@ -45,7 +45,8 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   if (traits_of(settings.sampling.estimator).pairs) {
     const std::size_t pairings = pairings_of(settings.reuse);
     frame.pair_partners = reserve(pair_partners_, pairings * pixels * sizeof(std::uint32_t));
-    frame.pair_targets = reserve(pair_targets_, (1 + pairings) * pixels * sizeof(float));
+    frame.pair_samples =
+        reserve(pair_samples_, (1 + pairings) * pixels * sizeof(gpu::ReflectedSample));
   }
   if (!traits_of(settings.sampling.estimator).samples && settings.indirect.bounces > 0)
     frame.path = reserve(path_, pixels * sizeof(gpu::PathVertex));

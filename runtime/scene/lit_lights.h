@@ -8,6 +8,7 @@
 #include "formats/night.h"
 #include "formats/schedule.h"
 #include "runtime/scene/light_families.h"
+#include "shaders/scene_types.h"
 
 namespace nightcity::scene {
 

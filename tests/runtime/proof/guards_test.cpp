@@ -237,11 +237,12 @@ TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
 }
 
 TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
-  expect_guarded(lamp_law(render::Estimator::pairwise, 5000, 4),
-                 {{"pair_targets.comp", "target(receiver, sampled.light, sampled.uv, shadowed)",
-                   "target(receiver_of(FRAME.surfaces.at["
-                   "is_own ? index : FRAME.pair_partners.at[pair_place(turn - 1u, index)]]), "
-                   "sampled.light, sampled.uv, shadowed)"}});
+  expect_guarded(
+      lamp_law(render::Estimator::pairwise, 5000, 4),
+      {{"pair_targets.comp", "reflected_sample(receiver, sampled.light, sampled.uv, shadowed)",
+        "reflected_sample(receiver_of(FRAME.surfaces.at["
+        "is_own ? index : FRAME.pair_partners.at[pair_place(turn - 1u, index)]]), "
+        "sampled.light, sampled.uv, shadowed)"}});
 }
 
 // The camera moves from behind a wall to its front: a surface that was hidden has no history, and

@@ -151,6 +151,36 @@ TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
 }
 
 // Some light would never be sampled, and the picture would silently be darker.
+// Of a red and a blue lamp in one place, which give the same luminance, each pixel of a frame draws
+// one. Half of all pairs then draw one of each, and their pixels show both: three parts of their
+// own, whose weight is 1/2 + 1/2 (1 - 1/2), and one of their partner's.
+TEST(Pairs, APixelShowsTheColoursOfAllSamplesThatItCombines) {
+  Light red = lamp({0, 200, 0}, 5e6f), blue = red;
+  red.colour_rgb9e5 = encode_rgb9e5({1 / 0.2126f, 0, 0});
+  blue.colour_rgb9e5 = encode_rgb9e5({0, 0, 1 / 0.0722f});
+  render::DeviceScene scene(test_device(), SceneBuilder().ground(50).with({red, blue}));
+  const auto mixed_share = [&](std::uint32_t neighbours) {
+    render::RenderSettings settings = with_estimator(render::Estimator::traced, 1, 5, 0);
+    settings.reuse.neighbours = neighbours;
+    settings.sampling.layers = true;
+    render::Renderer renderer(test_device(), test_passes(), scene, 64, 64);
+    renderer.render_frame(looking_down, settings);
+    const measure::Image image = renderer.download();
+    const auto& lamps = image.layer("direct_lamps")->values;
+    std::size_t mixed = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+      const double r = 0.2126 * double(lamps[3 * i]), b = 0.0722 * double(lamps[3 * i + 2]);
+      if (r == 0 || b == 0) continue;
+      EXPECT_NEAR(std::max(r / b, b / r), 3, 0.03) << "pixel " << i;
+      EXPECT_NEAR(double(image.rgb[3 * i]), double(lamps[3 * i]), 1e-6 * r);
+      ++mixed;
+    }
+    return double(mixed) / double(image.pixels());
+  };
+  EXPECT_EQ(mixed_share(0), 0);
+  EXPECT_NEAR(mixed_share(1), 0.5, 0.06);
+}
+
 TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
   render::RenderSettings settings;
   settings.sampling.near_share = 0.7f;
