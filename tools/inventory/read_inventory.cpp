@@ -25,6 +25,7 @@
 #include "tools/inventory/text_places.h"
 #include "tools/inventory/vector_file.h"
 #include "tools/osm/tag_values.h"
+#include "tools/place/longitude.h"
 #include "tools/random.h"
 
 namespace nightcity::inventory {
@@ -147,8 +148,9 @@ class Reader {
   }
 
   void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {
-    const glm::dvec2 lon_lat = crs_.to_lon_lat(place);
+    glm::dvec2 lon_lat = crs_.to_lon_lat(place);
     if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90)) return skip(outside_crs);
+    lon_lat.x = place::count_on(lon_lat.x, 0);
     const auto [found, is_new] = at_place_.try_emplace({place.x, place.y}, result_.lamps.size());
     if (is_new) {
       // One row may have any number of points.
