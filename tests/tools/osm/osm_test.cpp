@@ -446,6 +446,9 @@ TEST_F(OsmFile, EveryUnusableFileIsAnErrorThatNamesIt) {
   EXPECT_NE(error_of(write("<!DOCTYPE osm [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><osm/>"))
                 .find("DOCTYPE"),
             std::string::npos);
+  EXPECT_NE(error_of(write("<osm><node id='1' lat='0' lon='0'/></osm>\n<osm/>"))
+                .find("several documents"),
+            std::string::npos);
   EXPECT_NE(error_of(write("\x1f\x8b rubbish", "a.osm.gz")).find("broken osm.gz"),
             std::string::npos);
   EXPECT_NE(error_of(write("BZh9 rubbish", "a.osm.bz2")).find("broken osm.bz2"), std::string::npos);
