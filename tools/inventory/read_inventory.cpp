@@ -146,8 +146,17 @@ class Reader {
     return place;
   }
 
-  void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {
-    const glm::dvec2 lon_lat = crs_.to_lon_lat(place);
+  // Maps of the web that repeat sideways give longitudes that are a turn or more too large.
+  glm::dvec2 turn_back(glm::dvec2 place) const {
+    constexpr double turn = 360, most = 3 * turn;
+    const bool is_beyond = place.x < -turn / 2 || place.x > turn;
+    if (crs_.is_geographic() && is_beyond && std::abs(place.x) <= most)
+      place.x -= turn * std::round(place.x / turn);
+    return place;
+  }
+
+  void add(const glm::dvec2& given, const osm::OsmTags& tags, const std::string& id) {
+    const glm::dvec2 place = turn_back(given), lon_lat = crs_.to_lon_lat(place);
     if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90)) return skip(outside_crs);
     const auto [found, is_new] = at_place_.try_emplace({place.x, place.y}, result_.lamps.size());
     if (is_new) {
