@@ -9,6 +9,7 @@
 #include "tools/osm/crowded_streets.h"
 #include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/repeated_things.h"
 #include "tools/osm/resolution.h"
 #include "tools/place/longitude.h"
 
@@ -225,6 +226,7 @@ OsmData OsmCollector::finish() && {
   place_points(squares_, data_.squares);
   for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();
+  data_.repeated = leave_out_repeated(data_);
   data_.crowded_ways = leave_out_crowded(data_.highways) + leave_out_crowded(data_.railways);
   std::stable_sort(data_.shining_things.begin(), data_.shining_things.end(),
                    [](const OsmShiningThing& a, const OsmShiningThing& b) {
