@@ -83,6 +83,17 @@ TEST(StraySigns, LongitudesATurnTooLargeAreTurnedBack) {
                 {{13.4, 52.5}, {13.4, 52.51}, {13.4, 52.52}}, "turns");
 }
 
+TEST(StraySigns, ZeroAndZeroIsNoPlace) {
+  const TempFolder folder;
+  write_text(folder / "a.csv", "lon,lat\n13.4,52.5\n0,0\n0.0,0.00\n0,52.5\n");
+  InventoryFile file;
+  file.file = folder / "a.csv";
+  file.crs = "EPSG:4326";
+  const Inventory read = read_inventory(file);
+  EXPECT_EQ(read.lamps.size(), 2u);
+  EXPECT_EQ(read.report.skipped.at("at 0, 0, as programs write that know no place"), 2u);
+}
+
 TEST(StraySigns, PointsOfKmlInACell) {
   expect_places(places_of("id,geometry\n"
                           "1,\"<Point><coordinates>13.4,52.5,0</coordinates></Point>\"\n"
@@ -95,6 +106,26 @@ TEST(StraySigns, ADefinitionLiesBesideACsv) {
   expect_places(places_of(text, "", "a.csv", "a.prj"), {{13.4, 52.5}}, "small");
   expect_places(places_of(text, "", "A.CSV", "A.PRJ"), {{13.4, 52.5}}, "capitals");
   expect_places(places_of("sep=,\n" + text, "", "a.csv", "a.prj"), {{13.4, 52.5}}, "odd");
+}
+
+// All rows are placed by one CRS.
+TEST(StraySigns, RowsOfAnotherZoneAreADoubt) {
+  const TempFolder folder;
+  const auto doubt_of = [&](const std::string& heading, const std::string& zone) {
+    write_text(folder / "a.csv", "id," + heading + ",easting,northing\n1,33U,391403,5817859\n2," +
+                                     zone + ",391503,5817859\n");
+    InventoryFile file;
+    file.file = folder / "a.csv";
+    file.crs = "EPSG:25833";
+    return read_inventory(file).report.doubt;
+  };
+  EXPECT_EQ(doubt_of("zone", "33N"), "");
+  EXPECT_NE(doubt_of("UTM zone", "32").find("1 of its rows name another zone of UTM (32)"),
+            std::string::npos);
+  EXPECT_NE(doubt_of("huso", "32U").find("than its CRS has (33)"), std::string::npos);
+  EXPECT_EQ(doubt_of("zone", "4"), "") << "a district";
+  EXPECT_EQ(doubt_of("zone", "North 4"), "");
+  EXPECT_EQ(doubt_of("district", "32"), "");
 }
 
 TEST(StraySigns, HeadingsOfZonesAndDegrees) {
