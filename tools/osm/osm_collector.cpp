@@ -81,6 +81,7 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   way_states_.push_back({key, version.rank(), version.deleted});
   if (version.deleted) return;
   ++data_.ways;
+  data_.roof_lines += tags.contains("roof:ridge") || tags.contains("roof:edge");
   if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags) &&
       !is_barrier(tags) && !is_railway(tags) && !is_watercourse(tags) && !may_shine(tags))
     return;
@@ -113,6 +114,7 @@ void OsmCollector::add_bounds(LonLatBox box) {
 void OsmCollector::add_relation(const OsmTags& tags) {
   ++data_.relations;
   if (is_barrier(tags)) ++data_.barrier_relations;
+  if (is_lamp(tags)) ++data_.lamp_relations;
 }
 
 /// Sorts by key and keeps the newest of each, of equally new ones the first.
