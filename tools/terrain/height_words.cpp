@@ -44,24 +44,44 @@ std::vector<std::string_view> split_words(std::string_view line) {
   }
 }
 
+// Returns whether a word is one that programs write for a height that they do not know: "-nan",
+// "nan(ind)" and "---" too. Others may have a meaning in one of the formats.
+bool stands_for_unknown(std::string_view text) {
+  constexpr std::array<std::string_view, 11> known{
+      "na", "n/a", "#n/a", "null", "nodata", "no_data", "none", "nil", "void", "nd", "missing"};
+  if (text.find_first_not_of("*-?_") == text.npos) return true;
+  if (text.front() == '-' || text.front() == '+') text.remove_prefix(1);
+  const std::string word = to_lower(text);
+  return word.starts_with("nan") || word.starts_with("inf") ||
+         std::find(known.begin(), known.end(), word) != known.end();
+}
+
 enum class Line : std::uint8_t { head, numbers, foreign };
 
 // Returns whether a line stands before the numbers, as a key of a grid's head or names of columns
 // do, or is no line of a table.
 Line find_kind(const std::vector<std::string_view>& words) {
-  constexpr std::array<std::string_view, 14> unknown{
-      "na",   "nan", "n/a",      "#n/a", "null", "nodata", "no_data",
-      "none", "nil", "infinity", "inf",  "void", "nd",     "missing"};
   if (words.empty()) return Line::head;
-  const std::string word = to_lower(words.front());
-  const bool is_key = word.starts_with("nodata") && words.size() <= 2;
-  const bool is_unknown = std::find(unknown.begin(), unknown.end(), word) != unknown.end();
-  if (begins_as_number(word) || (is_unknown && !is_key)) return Line::numbers;
-  if (word.find_first_not_of("*-+") == word.npos) return Line::numbers;
-  const bool has_sign = word.front() == '-' || word.front() == '+';  // "-nan"
-  if (has_sign && word.size() > 1 && is_letter(word[1])) return Line::numbers;
+  const std::string_view word = words.front();
+  if (to_lower(word).starts_with("nodata") && words.size() <= 2) return Line::head;
+  if (begins_as_number(word) || stands_for_unknown(word)) return Line::numbers;
   const char first = word.front();
   return is_letter(first) || first == '#' || first == '"' ? Line::head : Line::foreign;
+}
+
+// Returns false where a text surely holds numbers alone: their letters are those of exponents. Most
+// texts are passed over at the speed of this loop.
+bool may_hold_words(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_digit(c) || c == ' ' || c == '.' || c == '\n') continue;
+    const char next = i + 1 < text.size() ? text[i + 1] : ' ';
+    const bool is_sign = c == '-' || c == '+';
+    const bool is_exponent = c == 'e' || c == 'E';
+    if (is_sign ? !is_digit(next) && next != '.' : !is_exponent && between.find(c) == between.npos)
+      return true;
+  }
+  return false;
 }
 
 class HeightWords final : public city::ByteSource {
@@ -116,6 +136,11 @@ class HeightWords final : public city::ByteSource {
   // Takes all words whose end is there.
   void take_words() {
     constexpr std::size_t longest = 4096;
+    const std::size_t whole = ended_ ? pending_.size() : pending_.find_last_of(between) + 1;
+    if (!may_hold_words(std::string_view(pending_).substr(0, whole))) {
+      ready_.append(pending_, 0, whole);
+      pending_.erase(0, whole);
+    }
     std::string_view rest = pending_;
     while (!rest.empty()) {
       const std::size_t blanks = std::min(rest.find_first_not_of(between), rest.size());
@@ -124,7 +149,7 @@ class HeightWords final : public city::ByteSource {
       const std::size_t end = rest.find_first_of(between);
       if (end == rest.npos && !ended_ && rest.size() < longest) break;
       const std::string_view word = rest.substr(0, end);
-      const bool is_kept = word.empty() || word.front() == '"' || begins_as_number(word);
+      const bool is_kept = word.empty() || begins_as_number(word) || !stands_for_unknown(word);
       ready_ += is_kept ? word : unknown_height;
       changed_ = changed_ || !is_kept;
       rest.remove_prefix(word.size());

@@ -165,7 +165,7 @@ std::string make_rows(const std::string& word, int rows, const std::string& head
 TEST(TextRasters, WordsForUnknownHeightsAreHoles) {
   const TempFolder folder;
   for (const char* word : {"nan", "NaN", "NA", "null", "NULL", "nodata", "None", "N/A", "#N/A", "*",
-                           "-", "---", "inf", "-nan", "1.#QNAN"})
+                           "-", "---", "inf", "-nan", "nan(ind)", "1.#QNAN"})
     for (const char* head : {"", "NODATA_value -9999\n", "nodata_value NA\n"}) {
       const std::string what = std::string(word) + " below " + head;
       write_text(folder / "a.asc", make_rows(word, 2, head));
