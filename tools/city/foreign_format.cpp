@@ -74,6 +74,12 @@ constexpr std::array binary_marks{
     Mark{"ASTM-E57"sv, {"is a point cloud (E57)", "surfaces are needed", leads_to_model}},
     Mark{"fgb\x03"sv, {"is FlatGeobuf", table_or_model, leads_to_model}},
     Mark{"PAR1"sv, {"is a Parquet table", "export it as GeoPackage or CSV (ogr2ogr)"}},
+    Mark{"ARROW1"sv, {"is an Arrow or Feather table", "export it as GeoPackage or CSV (ogr2ogr)"}},
+    Mark{"PMTiles"sv, {"is a set of tiles for maps (PMTiles)", "what it was made of is needed"}},
+    Mark{"RDX3\n"sv, {"is data of R", "write the table as CSV (write.csv)"}},
+    Mark{"Version 300"sv, {"is a MapInfo file", "export it as GeoPackage or CSV (ogr2ogr)"}},
+    Mark{"INSERT INTO "sv, {"is a dump of a database (SQL)", "export the table as CSV"}},
+    Mark{"CREATE TABLE "sv, {"is a dump of a database (SQL)", "export the table as CSV"}},
     Mark{"Kaydara FBX"sv, {"is FBX", as_obj, leads_to_model}},
     Mark{"; FBX"sv, {"is FBX", as_obj, leads_to_model}},
     Mark{"BLENDER"sv, {"is a Blender file", "export it as Wavefront OBJ", leads_to_model}},
@@ -103,8 +109,7 @@ struct Words {
 };
 
 constexpr std::array json_words{
-    Words{{"\"osm3s\"", ""},
-          {"is an answer of Overpass in JSON", "a map belongs in [osm] files"}},
+    Words{{"\"osm3s\"", ""}, {"is an answer of Overpass in JSON", "a map belongs in [osm] files"}},
     Words{{"\"elements\"", "\"generator\""},
           {"is OpenStreetMap's data in JSON", "a map belongs in [osm] files"}},
     Words{{"\"CityJSONExtension\"", ""},

@@ -29,6 +29,7 @@ constexpr std::array pairs{Pair{"lon", "lat"},
                            Pair{"laengengrad", "breitengrad"},
                            Pair{"längengrad", "breitengrad"},
                            Pair{"geolaenge", "geobreite"},
+                           Pair{"geolänge", "geobreite"},
                            Pair{"rechtswert", "hochwert"},
                            Pair{"ostwert", "nordwert"},
                            Pair{"longitud", "latitud"},
@@ -78,6 +79,16 @@ bool are_qualifiers(string_view text) {
     const string_view rest = text.substr(at);
     for (const string_view word : qualifiers)
       if (rest.starts_with(word)) ends[at + word.size()] = true;
+    // The number of a zone.
+    for (const string_view word : {"utm", "utmzone", "zone", "gk", "lambert"}) {
+      const string_view behind = rest.starts_with(word) ? rest.substr(word.size()) : string_view();
+      const std::size_t digits = std::min(behind.find_first_not_of("0123456789"), behind.size());
+      if (digits < 1 || digits > 2) continue;
+      ends[at + word.size() + digits] = true;
+      const bool has_band =
+          behind.size() > digits && behind[digits] >= 'a' && behind[digits] <= 'z';
+      if (has_band) ends[at + word.size() + digits + 1] = true;
+    }
     // The number of a CRS.
     constexpr std::size_t least = 4, most = 6;
     const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
@@ -91,6 +102,9 @@ std::string simplify_heading(const std::string& name) {
   constexpr std::size_t longest = 60;
   const std::string whole = to_lower(city::decode_text(name));
   std::string simple;
+  // Lengths and widths in degrees are those of the Earth.
+  for (const char* word : {"breite", "länge", "laenge"})
+    if (whole.starts_with(word) && whole.find("°") != std::string::npos) simple = "geo";
   for (const char c : whole.substr(0, whole.find_first_of("([", 1)))
     if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80)
       simple += c;

@@ -27,6 +27,8 @@ class LayerCrs {
   glm::dvec2 to_lon_lat(const glm::dvec2& place) const;
 
   bool is_geographic() const { return crs_->geographic(); }
+  /// Returns the zone of UTM that the CRS is; 0 where it is none.
+  int utm_zone() const { return zone_; }
   /// Returns what may place its rows wrongly; "" where nothing may.
   std::string doubt() const;
 

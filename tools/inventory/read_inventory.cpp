@@ -48,6 +48,7 @@ class Reader {
         table_(open_vector_file(file)),
         layer_(find_layer(*table_.dataset, file)),
         columns_(layer_, file),
+        zone_column_(find_zone_column(layer_)),
         point_column_(file.x.empty() ? find_point_column(layer_) : -1),
         texts_(layer_, file),
         crs_((require_geometry(), layer_), file_, find_crs_of_form()) {}
@@ -100,8 +101,18 @@ class Reader {
 
   using Places = std::vector<glm::dvec2>;
 
+  // The table has a column of UTM's zones, and one CRS for all.
+  void look_at_zone(const OGRFeature& row) {
+    if (zone_column_ < 0 || crs_.utm_zone() == 0) return;
+    const std::string text = row.GetFieldAsString(zone_column_);
+    const auto zone = read_utm_zone(row, zone_column_);
+    if (!zone || *zone == crs_.utm_zone()) return;
+    if (other_zones_++ == 0) other_zone_ = text;
+  }
+
   void take(const OGRFeature& row) {
     Places places;
+    look_at_zone(row);
     if (point_column_ >= 0 && !texts_.has_columns()) {
       const auto place = read_point(row);
       if (!place) return skip("without a place");
@@ -147,7 +158,18 @@ class Reader {
     return place;
   }
 
-  void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {
+  // Maps of the web that repeat sideways give longitudes that are a turn or more too large.
+  glm::dvec2 turn_back(glm::dvec2 place) const {
+    constexpr double turn = 360, most = 3 * turn;
+    const bool is_beyond = place.x < -turn / 2 || place.x > turn;
+    if (crs_.is_geographic() && is_beyond && std::abs(place.x) <= most)
+      place.x = place::count_on(place.x, 0);
+    return place;
+  }
+
+  void add(const glm::dvec2& given, const osm::OsmTags& tags, const std::string& id) {
+    if (is_unfilled(given)) return skip("at 0, 0, as programs write that know no place");
+    const glm::dvec2 place = turn_back(given);
     glm::dvec2 lon_lat = crs_.to_lon_lat(place);
     if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90)) return skip(outside_crs);
     lon_lat.x = place::count_on(lon_lat.x, 0);
@@ -168,6 +190,11 @@ class Reader {
 
   // Makes one post of rows at one place.
   void finish() {
+    if (other_zones_ > 0 && result_.report.doubt.empty())
+      result_.report.doubt = std::to_string(other_zones_) +
+                             " of its rows name another zone of UTM (" + other_zone_ +
+                             ") than its CRS has (" + std::to_string(crs_.utm_zone()) +
+                             "): make a file for each zone, and a row of [[lamps.inventories]]";
     result_.report.incomplete = table_.incomplete.empty()
                                     ? find_server_limit(table_.path, result_.report.rows)
                                     : table_.incomplete;
@@ -231,10 +258,13 @@ class Reader {
   VectorFile table_;
   OGRLayer& layer_;
   LayerColumns columns_;
+  int zone_column_;   // of UTM; -1 without
   int point_column_;  // -1: the layer has geometries
   TextPlaces texts_;
   LayerCrs crs_;
   Inventory result_;
+  std::size_t other_zones_ = 0;  // rows
+  std::string other_zone_;
   std::map<std::pair<double, double>, std::size_t> at_place_;  // number of the lamp there
   std::map<std::size_t, std::vector<osm::OsmTags>> joined_;    // further rows of a lamp
 };

@@ -60,18 +60,27 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+constexpr std::string_view borders = ",;|\t\r\n";  // of cells
+
+// Returns whether the cell ends behind a quotation mark at `at`.
+bool ends_cell(std::string_view text, std::size_t at) {
+  const std::size_t next = text.find_first_not_of(' ', at + 1);
+  return next == text.npos || borders.find(text[next]) != borders.npos;
+}
+
 // Returns the place of the next quotation mark that stands behind a number in a cell which does not
-// begin with one; npos without. GDAL would take all up to the next such mark for one cell. `quoted`
-// says whether a quoted cell goes on at `at`.
-std::size_t find_seconds(std::string_view text, std::size_t at, bool& quoted) {
-  constexpr std::string_view borders = ",;|\t\r\n";
+// begin with one, or alone within a cell that does ("a 5" pole"); npos without. GDAL would take all
+// up to the next such mark for one cell. `quoted` says whether a quoted cell goes on at `at`.
+std::size_t find_stray_mark(std::string_view text, std::size_t at, bool& quoted) {
   for (at = text.find('"', at); at != text.npos; at = text.find('"', at + 1)) {
     if (quoted) {
       const bool is_doubled = at + 1 < text.size() && text[at + 1] == '"';
       if (is_doubled)
         ++at;
-      else
+      else if (ends_cell(text, at))
         quoted = false;
+      else
+        return at;
       continue;
     }
     std::size_t before = at;
@@ -85,12 +94,12 @@ std::size_t find_seconds(std::string_view text, std::size_t at, bool& quoted) {
   return text.npos;
 }
 
-void replace_seconds(std::string& text) {
+void replace_stray_marks(std::string& text) {
   bool quoted = false;
-  std::size_t at = find_seconds(text, 0, quoted), copied = 0;
+  std::size_t at = find_stray_mark(text, 0, quoted), copied = 0;
   if (at == text.npos) return;
   std::string out;
-  for (; at != text.npos; at = find_seconds(text, at + 1, quoted)) {
+  for (; at != text.npos; at = find_stray_mark(text, at + 1, quoted)) {
     out.append(text, copied, at - copied);
     out += double_prime;
     copied = at + 1;
@@ -109,7 +118,6 @@ bool has_one_column(std::string_view text) {
 // Returns the place of the next cell that begins with '=' and a quotation mark, by which programs
 // keep Excel from changing a value: ="13.4". npos without.
 std::size_t find_formula(std::string_view text, std::size_t at) {
-  constexpr std::string_view borders = ",;|\t\r\n";
   for (at = text.find("=\"", at); at != text.npos; at = text.find("=\"", at + 1))
     if (at == 0 || borders.find(text[at - 1]) != borders.npos) return at;
   return text.npos;
@@ -150,12 +158,15 @@ bool has_quoted_line_end(std::string_view text) {
 
 }  // namespace
 
-bool is_odd_csv(std::string_view start) {
+bool has_stray_marks(std::string_view text) {
   bool quoted = false;
+  return find_stray_mark(text, 0, quoted) != text.npos;
+}
+
+bool is_odd_csv(std::string_view start) {
   return begins_with_separator(start) || begins_with_comment(start) || has_bars(start) ||
-         begins_with_blank_line(start) || has_one_column(start) ||
-         find_seconds(start, 0, quoted) != start.npos || find_formula(start, 0) != start.npos ||
-         has_quoted_line_end(start);
+         begins_with_blank_line(start) || has_one_column(start) || has_stray_marks(start) ||
+         find_formula(start, 0) != start.npos || has_quoted_line_end(start);
 }
 
 void straighten_csv(std::string& text) {
@@ -165,7 +176,7 @@ void straighten_csv(std::string& text) {
   while (begins_with_blank_line(text)) text.erase(0, text.find_first_of("\r\n") + 1);
   visit_quoted_line_ends(text, [&](std::size_t at) { text[at] = ' '; });
   drop_formulas(text);
-  replace_seconds(text);
+  replace_stray_marks(text);
   if (has_bars(text)) replace_bars(text);
   if (has_one_column(text)) text.insert(text.find_first_of("\r\n"), "\t");
 }

@@ -90,11 +90,18 @@ BinaryHead read_binary_head(std::string_view text) {
   return {kind, names_crs ? static_cast<int>(number(5)) : 0};
 }
 
+// Returns a number without the sign of metres behind it.
+std::string_view drop_metres(std::string_view number) {
+  if (number.size() > 1 && number.ends_with('m'))
+    number = city::trim(number.substr(0, number.size() - 1));
+  return number;
+}
+
 // Returns a coordinate of a grid, whose digits may stand in groups.
 std::optional<double> parse_grouped(std::string_view text) {
   constexpr double least_m = 1000;  // "391.403" are as many thousands
   const std::string plain = osm::to_plain_signs(city::trim(text));
-  std::string_view rest = plain;
+  std::string_view rest = drop_metres(plain);
   const bool is_negative = rest.starts_with('-');
   if (is_negative) rest.remove_prefix(1);
   const auto size = osm::take_amount(rest, least_m);
@@ -102,9 +109,11 @@ std::optional<double> parse_grouped(std::string_view text) {
   return is_negative ? -*size : *size;
 }
 
-// Returns whether more separates the digits of a number than a decimal point or comma.
+// Returns whether more separates the digits of a number than a decimal point or comma, or GDAL does
+// not take it for a number: it has a minus of typography, say, or a unit.
 bool has_groups(std::string_view text) {
   const std::string plain = osm::to_plain_signs(city::trim(text));
+  if (plain != city::trim(text) || drop_metres(plain).size() < plain.size()) return true;
   const auto separators =
       std::count_if(plain.begin(), plain.end(), [](char c) { return c == '.' || c == ','; });
   return separators > 1 || plain.find_first_of("' ") != std::string::npos;
@@ -127,12 +136,18 @@ bool is_geojson_of_points(std::string_view text) {
          (text.find("\"Point\"") != text.npos || text.find("\"MultiPoint\"") != text.npos);
 }
 
+// Returns whether a text is a point of KML.
+bool is_kml_of_points(std::string_view text) {
+  return city::trim(text).starts_with("<") && text.find("Point>") != text.npos &&
+         text.find("<coordinates>") != text.npos;
+}
+
 bool is_geometry_of_points(std::string_view text) {
   constexpr std::uint32_t point = 1, multipoint = 4;
   constexpr std::size_t least_digits = 42;  // of a point in a plane
   const std::uint32_t kind = text.size() < least_digits ? 0 : read_binary_head(text).kind;
-  return is_wkt_of_points(text) || is_geojson_of_points(text) || kind == point ||
-         kind == multipoint;
+  return is_wkt_of_points(text) || is_geojson_of_points(text) || is_kml_of_points(text) ||
+         kind == point || kind == multipoint;
 }
 
 // Reads what GDAL does not take out of a column: a feature of GeoJSON, digits behind a prefix.
@@ -145,6 +160,9 @@ OGRGeometryUniquePtr read_other_geometry(const std::string& text) {
         inner.IsValid() ? inner.Format(CPLJSONObject::PrettyFormat::Plain) : text;
     return OGRGeometryUniquePtr(OGRGeometryFactory::createFromGeoJson(geometry.c_str()));
   }
+  // GML's points of its second version have the same form.
+  if (is_kml_of_points(text))
+    return OGRGeometryUniquePtr(OGRGeometryFactory::createFromGML(text.c_str()));
   const std::string_view digits = skip_prefix_of_hex(text);
   if (read_binary_head(digits).kind == 0) return {};
   int size = 0;
@@ -181,7 +199,8 @@ void TextPlaces::look_at(const OGRFeature& row) {
     const std::string text = text_of(row, geometry_);
     const int srid = split_srid(text).first, binary = read_binary_head(text).srid;
     if (srid != 0 || binary != 0) crs_ = "EPSG:" + std::to_string(srid != 0 ? srid : binary);
-    if (is_geojson_of_points(text)) crs_ = "OGC:CRS84";  // RFC 7946
+    // RFC 7946; OGC 07-147
+    if (is_geojson_of_points(text) || is_kml_of_points(text)) crs_ = "OGC:CRS84";
   }
   if (!has_columns()) return;
   for (const int column : {x_, y_}) {

@@ -12,6 +12,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "formats/mapped_file.h"
 #include "formats/to_lower.h"
 #include "tools/city/foreign_format.h"
 #include "tools/city/text_encoding.h"
@@ -89,6 +90,20 @@ void prepare_csv(const InventoryFile& inventory, std::string& bytes, VectorFile&
   straighten_csv(bytes);
 }
 
+// Returns the definition of a CRS that lies beside a CSV: "" without, or where GDAL finds it itself
+// and `in_capitals` asks for others alone.
+std::string read_prj_beside(const std::filesystem::path& csv, bool in_capitals) {
+  constexpr std::size_t most_bytes = 65536;
+  std::filesystem::path beside = csv;
+  std::error_code ignored;
+  for (const char* ending : {".prj", ".PRJ", ".Prj"})
+    if (std::filesystem::is_regular_file(beside.replace_extension(ending), ignored))
+      return in_capitals && std::string_view(ending) == ".prj"
+                 ? ""
+                 : read_start(std::filesystem::absolute(beside).string()).substr(0, most_bytes);
+  return {};
+}
+
 // Puts a table that GDAL would not read as it lies on the disk into memory, and sets the path to
 // it.
 void put_into_memory(const InventoryFile& inventory, VectorFile& out) {
@@ -105,12 +120,22 @@ void put_into_memory(const InventoryFile& inventory, VectorFile& out) {
       return find_csv_head(start, inventory).above > 0 ||
              !find_csv_encoding(start, inventory).empty();
     };
-    if (!is_wide && !is_text && !(is_csv && (is_odd_csv(start) || has_odd_head()))) return;
+    const auto has_odd_rows = [&] {
+      const MappedFile whole(file);
+      return has_stray_marks({reinterpret_cast<const char*>(whole.bytes().data()),  // chars alias
+                              whole.bytes().size()});
+    };
+    if (!is_wide && !is_text &&
+        !(is_csv && (is_odd_csv(start) || has_odd_head() || has_odd_rows() ||
+                     !read_prj_beside(file, true).empty())))
+      return;
     const std::array<std::string_view, 1> endings{""};
     files.push_back(
         {is_text ? file.stem().string() + ".csv" : file.filename().string(),
          read_whole(city::list_documents(file, endings).front(),
                     "save it in UTF-8, with commas and its headings in the first line")});
+    if (const std::string prj = read_prj_beside(file, false); is_csv && !prj.empty())
+      files.push_back({file.stem().string() + ".prj", prj});
   }
   if (is_named_as_csv(files.front().name)) prepare_csv(inventory, files.front().bytes, out);
   for (std::size_t i = files.size(); i-- > 0;) {

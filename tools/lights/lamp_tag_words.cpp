@@ -18,7 +18,7 @@ std::optional<Value> look_up(string_view word, const Words<Value, N>& table) {
   return std::nullopt;
 }
 
-constexpr Words<LampMount, 48> mounts = {{
+constexpr Words<LampMount, 49> mounts = {{
     {"straight_mast", LampMount::straight_mast},
     {"mast", LampMount::straight_mast},
     {"straight", LampMount::straight_mast},
@@ -31,6 +31,7 @@ constexpr Words<LampMount, 48> mounts = {{
     {"column", LampMount::straight_mast},
     {"bent_mast", LampMount::bent_mast},
     {"bent", LampMount::bent_mast},
+    {"angled_mast", LampMount::bent_mast},
     {"bend_mast", LampMount::bent_mast},
     {"curved_mast", LampMount::bent_mast},
     {"wall", LampMount::wall},

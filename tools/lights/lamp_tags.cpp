@@ -147,8 +147,10 @@ class LampTagReader {
   }
 
   void read_colour() {
-    for (const char* key : {"light:colour", "light:color", "lamp:colour", "colour:light",
-                            "light:colour_temperature", "colour_temperature"}) {
+    for (const char* key :
+         {"light:colour", "light:color", "lamp:colour", "colour:light", "light:colour_temperature",
+          "colour_temperature", "light:color_temperature", "color_temperature", "light:temperature",
+          "light:colour:temperature"}) {
       const std::string* text = find(key);
       if (!text) continue;
       for (const string_view part : osm::split_list(*text))
@@ -228,7 +230,9 @@ std::optional<double> parse_cct_k(string_view text) {
       value = upper ? std::optional((*value + *upper) / 2) : std::nullopt;
     }
     const std::string unit = osm::normalise_tag(part);
-    if (value && (unit.empty() || unit == "k" || unit == "kelvin" || unit == "\xc2\xb0k") &&
+    if (value &&
+        (unit.empty() || unit == "k" || unit == "kelvin" || unit == "\xc2\xb0k" || unit == "К" ||
+         unit == "к") &&
         *value >= least_cct_k && *value <= 20000)
       return value;
   }

@@ -38,6 +38,8 @@ TextLines::TextLines(std::string name, std::string content)
   if (content_.starts_with("\xef\xbb\xbf")) content_.erase(0, 3);
   content_ = city::decode_text(std::move(content_));
   if (const std::size_t end = content_.find('\x1a'); end != std::string::npos) content_.resize(end);
+  // Old programs fill the last block of a file with zeros.
+  content_.resize(content_.find_last_not_of('\0') + 1);
   if (content_.find('\0') != std::string::npos) throw Error(name_, "not a text file");
   // Breaks of pages and blanks that do not break lines are blanks.
   std::replace_if(

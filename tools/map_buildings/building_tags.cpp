@@ -1,6 +1,7 @@
 #include "tools/map_buildings/building_tags.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <unordered_map>
 
@@ -181,11 +182,31 @@ bool has_levels_below_alone(const osm::OsmTags& tags) {
 
 }  // namespace
 
+osm::OsmTags inherit_height(const osm::OsmTags& part, const osm::OsmTags& building) {
+  constexpr std::array keys{"height", "building:height", "est_height", "building:levels",
+                            "building:levels:aboveground"};
+  for (const char* key : keys)
+    if (part.contains(key)) return part;
+  osm::OsmTags tags = part;
+  for (const char* key : keys)
+    if (const auto found = building.find(key); found != building.end()) tags.insert(*found);
+  city::SkipCounter unused;
+  const double foot_m = find_sizes(part, unused).foot_m;
+  const BuildingSizes whole = find_sizes(building, unused);
+  return whole.top_m > foot_m + least_height_m ? tags : part;
+}
+
+bool is_part_alone(const osm::OsmTags& tags) {
+  const std::string part = find_tag(tags, "building:part");
+  return find_tag(tags, "building") == "no" && !part.empty() && part != "no";
+}
+
 bool is_absent(const osm::OsmTags& tags, osm::Day day) {
   if (find_tag(tags, "location") == "underground" || has_levels_below_alone(tags)) return true;
   if (osm::is_gone(tags, day)) return true;
   for (const char* key : {"building", "building:part"}) {
     const std::string value = find_tag(tags, key);
+    if (value == "no" && is_part_alone(tags)) continue;
     for (const char* absent : {"no", "construction", "proposed", "planned", "demolished", "razed",
                                "removed", "destroyed", "dismantled", "collapsed", "ruins"})
       if (value == absent) return true;

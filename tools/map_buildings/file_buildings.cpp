@@ -1,13 +1,19 @@
 #include "tools/map_buildings/file_buildings.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <mutex>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <unordered_set>
 #include <utility>
+
+#include "tools/map_buildings/building_tags.h"
+#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::map_buildings {
 namespace {
@@ -15,8 +21,26 @@ namespace {
 using osm::MapArea;
 using osm::MapAreas;
 
+bool is_said(const osm::OsmTags& tags) {
+  return tags.contains("building") || tags.contains("building:part");
+}
+
+// Returns what a thing is that stands as high as buildings, without being one: "chimney", say.
+std::string find_tall_kind(const osm::OsmTags& tags) {
+  constexpr std::array<std::string_view, 12> kinds{
+      "chimney", "silo", "storage_tank", "gasometer",  "water_tower",          "cooling_tower",
+      "tower",   "mast", "windmill",     "lighthouse", "communications_tower", "bunker_silo"};
+  const auto found = tags.find("man_made");
+  if (found == tags.end() || is_said(tags) || osm::is_lamp(tags)) return {};
+  const std::string kind = osm::normalise_tag(found->second);
+  return std::find(kinds.begin(), kinds.end(), kind) == kinds.end() ? std::string() : kind;
+}
+
 MapAreas read_areas(const std::filesystem::path& file, const city::ReadOptions& options) {
-  return osm::read_map_areas(file, {{"building", "building:part"}},
+  const auto wants = [](const osm::OsmTags& tags) {
+    return is_said(tags) || !find_tall_kind(tags).empty();
+  };
+  return osm::read_map_areas(file, {{"building", "building:part", "man_made"}, wants},
                              static_cast<std::size_t>(options.max_way_nodes));
 }
 
@@ -52,13 +76,17 @@ Maps read_all(const city::ReadOptions& options) {
   return kept;
 }
 
+// "building=no" beside "building:part" says that it is the part alone.
 bool is_building(const MapArea& area) {
-  return area.tags.contains("building");
+  return area.tags.contains("building") && !is_part_alone(area.tags);
 }
 
 void add_own(MapAreas&& areas, FileBuildings& to) {
   for (MapArea& area : areas.areas)
-    (is_building(area) ? to.buildings : to.parts).push_back(std::move(area));
+    if (!is_said(area.tags))
+      ++to.tall_things[find_tall_kind(area.tags)];
+    else
+      (is_building(area) ? to.buildings : to.parts).push_back(std::move(area));
   areas.areas.clear();
   to.counts = std::move(areas);
   to.own = to.buildings.size();
@@ -91,7 +119,8 @@ void add_others(const Maps& others, FileBuildings& to) {
   for (const MapArea& area : to.parts) known.insert(area.id);
   for (const auto& other : others)
     for (const MapArea& area : other->areas) {
-      if (replaced.contains(area.id) || !known.insert(area.id).second) continue;
+      if (!is_said(area.tags) || replaced.contains(area.id) || !known.insert(area.id).second)
+        continue;
       (is_building(area) ? to.buildings : to.parts).push_back(area);
     }
   to.is_own_part.resize(to.parts.size(), false);

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "tools/city/city_reader.h"
@@ -18,6 +20,8 @@ struct FileBuildings {
   std::vector<osm::MapArea> parts;
   std::vector<bool> is_own_part;  // whether the file has it
   osm::MapAreas counts;           // of the file, without areas
+  /// Areas of the file that stand as high as buildings and are none, such as chimneys, by kind.
+  std::map<std::string, std::size_t> tall_things;
 };
 
 /// Reads the buildings of `file`. Where it is one of several in `options.maps`, a map that was cut

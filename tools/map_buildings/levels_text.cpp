@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "tools/osm/tag_values.h"
 
@@ -12,21 +13,45 @@ namespace {
 using std::string_view;
 
 bool is_word_for_levels(string_view text) {
-  constexpr std::array<string_view, 11> words{"level",   "levels", "floor",   "floors",
-                                              "fl",      "storey", "storeys", "story",
-                                              "stories", "etages", "plantas"};
+  constexpr std::array<string_view, 24> words{
+      "level",     "levels",  "floor",   "floors", "fl",     "fl.",    "f",     "storey",
+      "storeys",   "story",   "stories", "etages", "étages", "etagen", "stock", "stockwerke",
+      "geschosse", "plantas", "pisos",   "piani",  "этажа",  "этажей", "層",    "층"};
   return std::find(words.begin(), words.end(), text) != words.end();
 }
 
+// Takes the word for a ground floor and a plus sign off the front of "G+4" and "EG+4".
+bool take_ground_floor(string_view& text) {
+  for (const string_view word :
+       {"EG", "eg", "Eg", "RDC", "rdc", "GF", "PB", "G", "g", "R", "r", "P", "p"})
+    if (text.starts_with(word) && text.size() > word.size() + 1 && text[word.size()] == '+') {
+      text.remove_prefix(word.size() + 1);
+      return true;
+    }
+  return false;
+}
+
+// Takes a fraction of a level off the front of the rest of "1½" and "2 1/2".
+double take_fraction(string_view& text) {
+  constexpr std::pair<string_view, double> fractions[] = {{"\xc2\xbd", 0.5},  {"\xc2\xbc", 0.25},
+                                                          {"\xc2\xbe", 0.75}, {"1/2", 0.5},
+                                                          {"1/4", 0.25},      {"3/4", 0.75}};
+  for (const auto& [sign, value] : fractions)
+    if (text.starts_with(sign)) {
+      text.remove_prefix(sign.size());
+      while (text.starts_with(' ')) text.remove_prefix(1);
+      return value;
+    }
+  return 0;
+}
+
 std::optional<Levels> parse_one(string_view text) {
-  double below = 0;  // levels that the number does not count
-  if (text.size() > 2 && text[1] == '+' && string_view("GRPgrp").find(text[0]) != text.npos) {
-    below = 1;
-    text.remove_prefix(2);
-  }
   while (text.starts_with('~') || text.starts_with(' ')) text.remove_prefix(1);
-  auto count = osm::take_number(text);
+  const double below = take_ground_floor(text) ? 1 : 0;  // levels that the number does not count
+  const double alone = take_fraction(text);
+  auto count = alone > 0 ? std::optional(alone) : osm::take_number(text);
   if (!count) return {};
+  if (alone == 0) *count += take_fraction(text);
   if (text.starts_with('-')) {
     string_view behind = text.substr(1);
     if (const auto upper = osm::take_number(behind)) {

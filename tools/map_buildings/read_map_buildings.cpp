@@ -16,6 +16,7 @@
 #include "tools/city/skip_counter.h"
 #include "tools/in_order.h"
 #include "tools/map_buildings/building_tags.h"
+#include "tools/map_buildings/drawn_twice.h"
 #include "tools/map_buildings/file_buildings.h"
 #include "tools/map_buildings/part_index.h"
 #include "tools/map_buildings/roofs.h"
@@ -151,7 +152,11 @@ class ObjectMaker {
   // `building` is the whole of which the area is a part, or the area itself.
   void add_shells(const MapArea& area, const MapArea& building, const LocalPlane& plane,
                   city::RawObject& raw) {
-    const BuildingSizes said = find_sizes(area.tags, skipped_);
+    const bool is_part = &area != &building;
+    const BuildingSizes said =
+        find_sizes(is_part ? inherit_height(area.tags, building.tags) : area.tags, skipped_);
+    if (is_part && !said.assumed && find_sizes(area.tags, unused_).assumed)
+      assumed_.add("height of a part of a building, as the building's");
     const auto walls = find_colour(area, building, Skin::walls),
                roof = find_colour(area, building, Skin::roof);
     double highest_m = 0;
@@ -238,14 +243,17 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
                    std::to_string(options.max_way_nodes)] = counts.too_long;
 
   if (counts.points > 0)
-    report.skipped["building mapped as a point, without an outline"] = counts.points;
+    report.skipped["building, tower or tank mapped as a point, without an outline"] = counts.points;
+  for (const auto& [kind, number] : map.tall_things)
+    report.skipped["man_made=" + kind + " without building=*, not drawn"] = number;
 
   const PartIndex index(map.buildings);
+  const std::vector<std::size_t> standing = find_standing(map.buildings, today());
   std::vector<std::vector<const MapArea*>> parts(map.buildings.size());
   std::vector<const MapArea*> alone;  // parts of no building
   for (std::size_t n = 0; n < map.parts.size(); ++n) {
     if (const auto building = index.find_building(map.parts[n]))
-      parts[*building].push_back(&map.parts[n]);
+      parts[standing[*building]].push_back(&map.parts[n]);
     else if (map.is_own_part[n])
       alone.push_back(&map.parts[n]);
   }
@@ -263,6 +271,10 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
         std::vector<city::CityObject> objects;
         for (std::size_t i = first; i < std::min(first + batch_size, count); ++i) {
           const bool whole = i < map.own;
+          if (whole && standing[i] != i) {
+            batch.skipped.add("building that the map has twice, with the same corners");
+            continue;
+          }
           auto raw =
               whole ? maker.make(map.buildings[i], parts[i]) : maker.make(*alone[i - map.own], {});
           if (raw) objects.push_back(city::merge_parts(std::move(*raw), options, batch.report));

@@ -57,10 +57,16 @@ Extent find_extent(const Outline& outline, const glm::dvec2& along) {
   return extent;
 }
 
+// The upper edge of a skillion runs as a ridge would.
+glm::dvec2 find_skillion_fall(const BuildingSizes& sizes, const Rectangle& box) {
+  const bool is_across = sizes.across.value_or(false) && !sizes.direction_degrees;
+  return is_across ? box.along : find_fall(sizes, box);
+}
+
 // A plane that falls from the top to the eaves.
 void add_skillion(Shell& shell, const Outline& outline, const BuildingSizes& sizes,
                   const Rectangle& box) {
-  const glm::dvec2 fall = find_fall(sizes, box);
+  const glm::dvec2 fall = find_skillion_fall(sizes, box);
   const auto [low, high] = find_extent(outline, fall);
   const double slope = (sizes.top_m - sizes.eaves_m) / std::max(high - low, 1e-6);
   shell.add_plane([&, low = low](const glm::dvec2& p) {
@@ -98,7 +104,7 @@ void fit_slope(const Outline& outline, BuildingSizes& sizes) {
       run = row_step_m / 2;
       break;
     case RoofShape::skillion: {
-      const Extent extent = find_extent(outline, find_fall(sizes, box));
+      const Extent extent = find_extent(outline, find_skillion_fall(sizes, box));
       run = extent.high - extent.low;
       break;
     }

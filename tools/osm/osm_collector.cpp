@@ -9,6 +9,7 @@
 #include "tools/osm/crowded_streets.h"
 #include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/repeated_things.h"
 #include "tools/osm/resolution.h"
 #include "tools/place/longitude.h"
 
@@ -80,6 +81,7 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   way_states_.push_back({key, version.rank(), version.deleted});
   if (version.deleted) return;
   ++data_.ways;
+  data_.roof_lines += tags.contains("roof:ridge") || tags.contains("roof:edge");
   if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags) &&
       !is_barrier(tags) && !is_railway(tags) && !is_watercourse(tags) && !may_shine(tags))
     return;
@@ -112,6 +114,7 @@ void OsmCollector::add_bounds(LonLatBox box) {
 void OsmCollector::add_relation(const OsmTags& tags) {
   ++data_.relations;
   if (is_barrier(tags)) ++data_.barrier_relations;
+  if (is_lamp(tags)) ++data_.lamp_relations;
 }
 
 /// Sorts by key and keeps the newest of each, of equally new ones the first.
@@ -225,6 +228,7 @@ OsmData OsmCollector::finish() && {
   place_points(squares_, data_.squares);
   for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();
+  data_.repeated = leave_out_repeated(data_);
   data_.crowded_ways = leave_out_crowded(data_.highways) + leave_out_crowded(data_.railways);
   std::stable_sort(data_.shining_things.begin(), data_.shining_things.end(),
                    [](const OsmShiningThing& a, const OsmShiningThing& b) {

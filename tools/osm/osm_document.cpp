@@ -24,6 +24,13 @@ void require_map(const pugi::xml_document& document, const std::filesystem::path
   for (const pugi::xml_node& node : document)
     if (node.type() == pugi::node_doctype)
       throw Error(file.string(), "a DOCTYPE has no place in OSM data");
+  const auto is_element = [](const pugi::xml_node& node) {
+    return node.type() == pugi::node_element;
+  };
+  if (std::count_if(document.begin(), document.end(), is_element) > 1)
+    throw Error(file.string(),
+                "holds several documents one after the other, of which only the first would be "
+                "read: name each file by itself, or merge them (osmium merge)");
   if (!document.child("osm"))
     throw Error(file.string(), "not OSM XML: the root element is not <osm>");
 }

@@ -32,9 +32,9 @@ bool has_one_of(const OsmTags& tags, const char* key,
 constexpr std::array<std::string_view, 8> street_lamps = {
     "street_lamp",  "streetlamp",    "street_light", "streetlight",
     "street_lamps", "street_lights", "lamp_post",    "lamppost"};
-constexpr std::array<std::string_view, 8> light_sources = {
-    "lantern",      "floodlight", "flood_light",   "street_lamp",
-    "street_light", "lamp",       "electric_lamp", "gas_lamp"};
+constexpr std::array<std::string_view, 9> light_sources = {
+    "lantern", "floodlight",    "flood_light", "street_lamp", "street_light",
+    "lamp",    "electric_lamp", "gas_lamp",    "bollard"};
 constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", "light_mast",
                                                    "lighting_mast"};
 constexpr std::array<std::string_view, 3> controls = {"stop", "give_way", "traffic_signals"};

@@ -38,6 +38,12 @@ void skip_about(string_view& text) {
   }
 }
 
+// Returns a unit without a remark in brackets behind it: "m (39 ft)".
+string_view drop_remark(string_view unit) {
+  const std::size_t bracket = unit.find('(');
+  return bracket != unit.npos && unit.ends_with(')') ? unit.substr(0, bracket) : unit;
+}
+
 constexpr double foot_m = 0.3048, inch_m = 0.0254;
 
 std::optional<double> find_metres_per(string_view unit) {
@@ -55,6 +61,23 @@ std::optional<double> find_metres_per(string_view unit) {
       {"metro", 1},
       {"metros", 1},
       {"metri", 1},
+      {"mètre", 1},
+      {"mètres", 1},
+      {"méter", 1},
+      {"metr", 1},
+      {"metry", 1},
+      {"metrów", 1},
+      {"метр", 1},
+      {"метра", 1},
+      {"метров", 1},
+      {"метри", 1},
+      {"метрів", 1},
+      {"米", 1},
+      {"公尺", 1},
+      {"メートル", 1},
+      {"미터", 1},
+      {"م", 1},
+      {"متر", 1},
       {"\xd0\xbc", 1},  // Cyrillic, small and capital
       {"\xd0\x9c", 1},
       {"cm", 0.01},
@@ -96,27 +119,6 @@ std::optional<double> take_inches(string_view rest) {
 }
 
 }  // namespace
-
-std::string to_plain_signs(string_view text) {
-  constexpr std::pair<string_view, char> signs[] = {
-      {"\xc2\xa0", ' '},      {"\xe2\x80\xaf", ' '}, {"\xe2\x80\x89", ' '}, {"\xe2\x80\xb2", '\''},
-      {"\xe2\x80\x99", '\''}, {"\xc2\xb4", '\''},    {"\xe2\x80\xb3", '"'}, {"\xe2\x80\x9d", '"'},
-      {"\xe2\x80\x93", '-'},  {"\xe2\x89\x88", '~'}};
-  std::string out;
-  while (!text.empty()) {
-    std::size_t taken = 1;
-    char put = text.front();
-    if (static_cast<unsigned char>(put) >= 0x80)
-      for (const auto& [sign, plain] : signs)
-        if (text.starts_with(sign)) {
-          taken = sign.size();
-          put = plain;
-        }
-    out += put;
-    text.remove_prefix(taken);
-  }
-  return out;
-}
 
 std::string normalise_tag(std::string_view value) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
@@ -242,7 +244,8 @@ double take_factor(string_view& text) {
 std::optional<double> parse_watts(string_view text) {
   constexpr double least = 3;
   const double factor = take_factor(text);
-  const auto one = parse_amount(text, least, {"w", "watt", "watts"}, {"kw", "kilowatt"});
+  const auto one =
+      parse_amount(text, least, {"w", "watt", "watts", "вт", "Вт"}, {"kw", "kilowatt"});
   return one ? std::optional(factor * *one) : std::nullopt;
 }
 
@@ -260,6 +263,7 @@ std::optional<double> parse_length_m(string_view text) {
     if (!upper) return std::nullopt;
     value = (*value + *upper) / 2;
   }
+  rest = drop_remark(rest);
   if (const auto metres = find_metres_per(normalise_tag(rest))) return *value * *metres;
   if (const auto inches = take_inches(rest)) return *value * foot_m + *inches * inch_m;
   return std::nullopt;

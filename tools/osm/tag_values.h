@@ -38,11 +38,12 @@ std::optional<double> parse_lumens(std::string_view text);
 std::optional<double> parse_watts(std::string_view text);
 
 /// Returns the text with the signs of ASCII for those of typography: no-break blanks, primes,
-/// dashes and the sign of what is about equal, which becomes '~'.
+/// dashes, the minus, wide letters and digits, and the sign of what is about equal, which becomes
+/// '~'; without marks that nobody sees.
 std::string to_plain_signs(std::string_view text);
 
 /// Returns metres from "6", "6 m", "6,5", "20'", "12'6\"", "20 ft", "12 ft 6 in", "600 cm", "~6 m",
-/// "approx. 6 m", the first of "6;8" or the middle of "5-7"; none from what cannot be understood.
+/// "approx. 6 m", "6 m (20 ft)", the first of "6;8" or the middle of "5-7"; none from what cannot be understood.
 std::optional<double> parse_length_m(std::string_view text);
 
 /// Returns the length that the first of these tags says from `least_m` to `greatest_m`, m.

@@ -106,7 +106,9 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
   const std::string& path = file.path;
   if (const char* format = find_refused_format(path))
     throw Error(s.name, std::string("is of the raster format ") + format +
-                            ", which is not read: it may lead to other files or to the network");
+                            ", which is not read: it may lead to other files or to the network. "
+                            "Name the rasters that it is made of, or write it as GeoTIFF "
+                            "(gdal_translate)");
   CPLErrorReset();
   s.dataset.reset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, list_allowed_drivers()));
@@ -138,6 +140,11 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
     s.assumption = "heights of " + std::filesystem::path(s.name).filename().string() +
                    " taken as metres, of which its CRS, which counts feet, says nothing "
                    "(gdal_edit.py -units ft says that they are feet)";
+  if (const int others = s.dataset->GetRasterCount() - 1 - count_alpha_bands(*s.dataset);
+      others > 0 && s.assumption.empty())
+    s.assumption = "heights of " + std::filesystem::path(s.name).filename().string() +
+                   " taken from its first band, beside which it has " + std::to_string(others) +
+                   " more (gdal_translate -b chooses one)";
   if (counts_downward(crs)) s.unit = -s.unit;
 
   double unit_m = 1;

@@ -16,6 +16,7 @@
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/gsi_grid.h"
+#include "tools/terrain/height_words.h"
 #include "tools/terrain/raster_names.h"
 #include "tools/terrain/text_rasters.h"
 
@@ -45,6 +46,11 @@ std::string read_start_as_it_is(const city::Document& document) {
   return city::read_next(*document.open_as_it_is(), enough);
 }
 
+bool is_to_be_straightened(const city::Document& text) {
+  const std::string start = read_start_as_it_is(text);
+  return is_odd_text(start) || (begins_as_text(start) && has_height_words(*text.open_as_it_is()));
+}
+
 bool is_raster_name(const std::string& name) {
   return is_named_as_raster(name) || is_named_as_gsi_grid(name);
 }
@@ -60,8 +66,7 @@ std::vector<RasterFile> RasterUnpacker::find_rasters(const std::filesystem::path
   const city::FileContents contents = city::list_contents(file, any_ending);
   const city::Document& first = contents.documents.front();
   const bool is_in_other_form =
-      is_named_as_gsi_grid(path) ||
-      (is_named_as_text_raster(path) && is_odd_text(read_start_as_it_is(first)));
+      is_named_as_gsi_grid(path) || (is_named_as_text_raster(path) && is_to_be_straightened(first));
   if (!first.packed && !is_in_other_form) return {{path, path, nullptr}};
   gdal::register_drivers();
   const gdal::Guard guard;

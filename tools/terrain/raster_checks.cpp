@@ -40,6 +40,13 @@ std::vector<GDALRasterBand*> find_masks(GDALDataset& dataset, GDALRasterBand& he
   return masks;
 }
 
+int count_alpha_bands(GDALDataset& dataset) {
+  int count = 0;
+  for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+    count += dataset.GetRasterBand(i)->GetColorInterpretation() == GCI_AlphaBand;
+  return count;
+}
+
 void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& name) {
   int width = 0, height = 0;
   band.GetBlockSize(&width, &height);
@@ -62,6 +69,10 @@ std::string explain_unread_raster(const std::string& path) {
   if (start.starts_with(city::zip_mark)) return "it is a zip archive: unpack it first";
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
+  if (said.starts_with("Ungridded"))
+    return said +
+           "; its points stand on no grid, or in no order: sort them by northing and easting "
+           "(sort -k2,2g -k1,1g), or make a raster of them (gdal_grid)";
   if (!said.empty()) return said;
   const std::string ending = to_lower(CPLGetExtension(path.c_str()));
   VSIStatBufL status;

@@ -18,6 +18,9 @@ void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& n
 /// Returns bands that are zero where there are no heights.
 std::vector<GDALRasterBand*> find_masks(GDALDataset& dataset, GDALRasterBand& heights);
 
+/// Returns how many bands say which pixels count.
+int count_alpha_bands(GDALDataset& dataset);
+
 /// Returns what GDAL said of a file that it does not read or, where it knows nothing of it, what
 /// that is. `path`: as GDAL takes it.
 std::string explain_unread_raster(const std::string& path);

@@ -4,10 +4,34 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
+#include <string_view>
+#include <utility>
+
 #include "formats/error.h"
+#include "tools/city/attributes.h"
+#include "tools/city/text_encoding.h"
 
 namespace nightcity::terrain {
 namespace {
+
+constexpr const char* const no_files[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO",
+                                          nullptr};
+
+// Returns what a .prj says: a definition as Esri writes them, or "EPSG:25833" and the like.
+std::optional<OGRSpatialReference> parse_prj(std::string text) {
+  constexpr std::string_view mark_of_utf8 = "\xef\xbb\xbf";
+  text = city::to_utf8(std::move(text));
+  if (text.starts_with(mark_of_utf8)) text.erase(0, mark_of_utf8.size());
+  CPLStringList lines;
+  lines.AddString(text.c_str());
+  OGRSpatialReference crs;
+  if (crs.importFromESRI(lines.List()) == OGRERR_NONE && !crs.IsEmpty()) return crs;
+  const std::string name(city::trim(text));
+  const bool places = !name.empty() &&
+                      crs.SetFromUserInput(name.c_str(), no_files) == OGRERR_NONE &&
+                      (crs.IsProjected() || crs.IsGeographic());
+  return places ? std::optional(crs) : std::nullopt;
+}
 
 std::optional<OGRSpatialReference> read_prj(const std::string& path) {
   constexpr std::size_t most_bytes = 65536;
@@ -17,10 +41,7 @@ std::optional<OGRSpatialReference> read_prj(const std::string& path) {
     std::string text(most_bytes, '\0');
     text.resize(VSIFReadL(text.data(), 1, text.size(), file));
     VSIFCloseL(file);
-    CPLStringList lines;
-    lines.AddString(text.c_str());
-    OGRSpatialReference crs;
-    if (crs.importFromESRI(lines.List()) == OGRERR_NONE && !crs.IsEmpty()) return crs;
+    if (auto crs = parse_prj(std::move(text))) return crs;
   }
   return std::nullopt;
 }
@@ -37,8 +58,6 @@ std::optional<OGRSpatialReference> find_raster_crs(GDALDataset& raster, const st
   if (auto beside = read_prj(path)) return beside;
   if (otherwise.empty()) return std::nullopt;
   OGRSpatialReference crs;
-  constexpr const char* const no_files[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO",
-                                            nullptr};
   if (crs.SetFromUserInput(otherwise.c_str(), no_files) != OGRERR_NONE)
     throw Error(name, "PROJ does not know the CRS \"" + otherwise +
                           "\" that [terrain] dem_crs or --dem-crs gives it");

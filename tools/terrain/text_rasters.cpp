@@ -7,6 +7,7 @@
 #include "formats/to_lower.h"
 #include "tools/city/attributes.h"
 #include "tools/city/text_encoding.h"
+#include "tools/terrain/height_words.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -60,7 +61,9 @@ std::unique_ptr<city::ByteSource> straighten_text(std::unique_ptr<city::ByteSour
   std::string start = city::read_next(*source, most_comments);
   if (start.starts_with(mark_of_utf8)) start.erase(0, mark_of_utf8.size());
   drop_comments(start);
-  return city::resume(std::move(start), std::move(source));
+  const bool is_text = begins_as_text(start);
+  source = city::resume(std::move(start), std::move(source));
+  return is_text ? replace_height_words(std::move(source)) : std::move(source);
 }
 
 }  // namespace nightcity::terrain

@@ -17,7 +17,8 @@ bool is_named_as_text_raster(std::string_view name);
 bool is_odd_text(std::string_view start);
 
 /// Returns a source of the same text in UTF-8, without mark and comments at its beginning; of these
-/// one that names the columns ("# y x z") becomes the headings. Others pass through.
+/// one that names the columns ("# y x z") becomes the headings. Words for unknown heights become
+/// numbers that GDAL knows (height_words.h). What is no text passes through.
 std::unique_ptr<city::ByteSource> straighten_text(std::unique_ptr<city::ByteSource> source);
 
 }  // namespace nightcity::terrain

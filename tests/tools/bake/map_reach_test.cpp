@@ -84,10 +84,10 @@ TEST(MapReach, AStreetOfTheMapLiesOnGroundBeyondTheBuildings) {
   EXPECT_NEAR((all_m2 - near_m2) / more_m2, 1, 0.005);
 }
 
-// The plane of a map alone reaches beyond its ground, but a row at 0, 0 is far from Berlin.
+// The plane of a map alone reaches beyond its ground, but the Gulf of Guinea is far from Berlin.
 TEST(MapReach, ALampOnTheOtherSideOfTheEarthIsOutsideTheModel) {
   const TempFolder folder;
-  std::ofstream(folder / "lamps.csv") << "lon,lat\n13.4003,52.4999\n13.45,52.5\n0,0\n52.5,13.4\n";
+  std::ofstream(folder / "lamps.csv") << "lon,lat\n13.4003,52.4999\n13.45,52.5\n0.5,0\n52.5,13.4\n";
   const BakeReport report =
       bake(read_recipe(write_lonely_house(folder.path(),
                                           "[lamps]\nlayout = 'never'\n[[lamps.inventories]]\n"

@@ -57,6 +57,19 @@ TEST(DemRaster, ProjectedRastersAreFoundByLongitudeAndLatitude) {
   EXPECT_NEAR(*height, 20, 0.01);  // easting - 391000
 }
 
+TEST(DemRaster, WhatIsAssumedOfHeightsIsSaid) {
+  const test::TempFolder folder;
+  const auto said_of = [&](int epsg) {
+    test::write_raster(
+        folder / "dem.tif", epsg, 300000, 60000, 10, 4, 4, [](int, int) { return 5.0; }, -1);
+    testing::internal::CaptureStderr();
+    const DemRaster raster(folder / "dem.tif");
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_NE(said_of(2263).find("note: heights of dem.tif taken as metres"), std::string::npos);
+  EXPECT_EQ(said_of(25833), "");
+}
+
 TEST(DemRaster, ARasterWithoutACrsHasTheOneGiven) {
   const test::TempFolder folder;
   test::write_raster(

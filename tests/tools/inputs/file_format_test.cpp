@@ -60,6 +60,13 @@ TEST(FileFormat, ARemedyThatLeadsToAModelIsForWhoWantsOne) {
   EXPECT_EQ(name_foreign(page, ""), explain_foreign(page, ""));
   EXPECT_EQ(name_foreign("PAR1", ""),
             "is a Parquet table: export it as GeoPackage or CSV (ogr2ogr)");
+  EXPECT_EQ(name_foreign("ARROW1", ""),
+            "is an Arrow or Feather table: export it as GeoPackage or CSV (ogr2ogr)");
+  EXPECT_EQ(name_foreign("Version 300\r\nCharset", ""),
+            "is a MapInfo file: export it as GeoPackage or CSV (ogr2ogr)");
+  EXPECT_EQ(name_foreign("INSERT INTO lamps VALUES (1);", ""),
+            "is a dump of a database (SQL): export the table as CSV");
+  EXPECT_EQ(name_foreign("RDX3\nX\n", ""), "is data of R: write the table as CSV (write.csv)");
   EXPECT_EQ(explain_foreign("<?xml version=\"1.0\"?><IESTM33-22><Version/></IESTM33-22>", ""),
             "is photometry in TM-33: it belongs in [[lamps.luminaires]]");
   EXPECT_EQ(explain_foreign("{\"version\":\"0.6\",\"generator\":\"CGImap\",\"elements\":[]}", ""),

@@ -70,6 +70,10 @@ TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
   EXPECT_EQ(use_from_tags({{"building", "Semidetached House"}}), BuildingUse::residential);
   EXPECT_EQ(use_from_tags({{"building", "yes"}, {"amenity", "school"}}), BuildingUse::education);
   EXPECT_EQ(use_from_tags({{"building", "church"}, {"shop", "kiosk"}}), BuildingUse::dark);
+  for (const char* without_rooms : {"silo", "storage_tank", "cowshed", "farm_auxiliary", "mosque",
+                                    "temple", "water_tower", "hangar", "ruins"})
+    EXPECT_EQ(use_from_tags({{"building", without_rooms}}), BuildingUse::dark) << without_rooms;
+  EXPECT_EQ(use_from_tags({{"building", "static_caravan"}}), BuildingUse::residential);
 }
 
 }  // namespace

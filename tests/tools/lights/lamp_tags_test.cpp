@@ -290,5 +290,15 @@ TEST(LampTags, WordsOfMappersForMountsTypesAndColours) {
   EXPECT_FALSE(parse_cct_k("K"));
 }
 
+TEST(LampTags, ColoursOfLightUnderOtherKeys) {
+  for (const char* key : {"light:temperature", "light:colour:temperature",
+                          "light:color_temperature", "color_temperature"})
+    EXPECT_EQ(read_lamp_tags({{key, "2700"}}).cct_k, 2700) << key;
+  EXPECT_EQ(parse_cct_k("4000 К"), 4000);
+  const LampTags angled = read_lamp_tags({{"lamp_mount", "angled_mast"}});
+  EXPECT_EQ(angled.mount, LampMount::bent_mast);
+  EXPECT_TRUE(angled.unread.empty());
+}
+
 }  // namespace
 }  // namespace nightcity::lights

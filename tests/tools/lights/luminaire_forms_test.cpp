@@ -139,6 +139,7 @@ TEST_F(LuminaireForms, LineEndsAndEncodingsDoNotMatter) {
   EXPECT_NEAR(flux(replaced(text, "\n", "\r\n")), hemisphere_lm, 1e-9);
   EXPECT_NEAR(flux("\xef\xbb\xbf" + text), hemisphere_lm, 1e-9);
   EXPECT_NEAR(flux(text + "\x1a"), hemisphere_lm, 1e-9);
+  EXPECT_NEAR(flux(text + std::string(200, '\0')), hemisphere_lm, 1e-9);
   EXPECT_NEAR(flux(replaced(text, " ", "\t")), hemisphere_lm, 1e-9);
   // A fault keeps the number of its line.
   const std::string broken = replaced(text, "100 100", "100 x");
@@ -318,6 +319,23 @@ TEST_F(LuminaireForms, EulumdatMayLeaveLinesBlankThatTheLightDoesNotNeed) {
 }
 
 // As an IES file of less than no lamps, a negative ratio states nothing.
+// Sets of lamps are alternatives.
+TEST_F(LuminaireForms, EulumdatOfSeveralSetsTellsWhichIsUsed) {
+  const std::string text = ldt("0\n30\n60\n90\n", 4, "100\n100\n100\n100\n");
+  const std::string one = "1\n1\nLED\n1000\n3000\n80\n20\n";
+  ASSERT_NE(text.find(one), std::string::npos) << text;
+  const auto with = [&](const char* flux) {
+    return replaced(
+        text, one,
+        "2\n1\nLED\n1000\n3000\n80\n20\n1\nLED\n" + std::string(flux) + "\n3000\n80\n10\n");
+  };
+  const Luminaire two = read(with("4000"), "a.ldt");
+  EXPECT_NEAR(two.flux_lm, 200 * pi, 1e-6);
+  ASSERT_EQ(two.notes.size(), 1u);
+  EXPECT_NE(two.notes[0].find("2 sets of lamps, of which the first is used"), std::string::npos);
+  EXPECT_TRUE(read(with("1000"), "a.ldt").notes.empty()) << "of the same light";
+}
+
 TEST_F(LuminaireForms, EulumdatHasNoNegativeSizesAndFluxes) {
   const std::string text = ldt("0\n30\n60\n90\n", 4, "100\n100\n100\n100\n");
   const Luminaire round = read(replaced(text, "500\n200\n0\n", "-500\n-200\n-50\n"), "a.ldt");

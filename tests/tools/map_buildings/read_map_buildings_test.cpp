@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <list>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -212,7 +213,9 @@ TEST(MapBuildings, BuildingsThatArePointsAreCounted) {
   map.add_point(50, 0, "natural=tree");
   const Read result = read(map);
   EXPECT_EQ(result.objects.size(), 1u);
-  EXPECT_EQ(result.report.skipped.at("building mapped as a point, without an outline"), 1u);
+  EXPECT_EQ(
+      result.report.skipped.at("building, tower or tank mapped as a point, without an outline"),
+      1u);
 }
 
 TEST(MapBuildings, ASpireIsRoofFromItsFootToItsTop) {
@@ -662,7 +665,8 @@ TEST(MapBuildings, MultipolygonsBeyondThe64thOfOneWayAreLeftOutAndCounted) {
   std::size_t objects = 0;
   const city::ObjectSink sink = [&](city::CityObject&&) { ++objects; };
   const city::ReadReport report = read_map_buildings(file.path(), {}, city::deliver_to(sink));
-  EXPECT_EQ(objects, 64u);
+  EXPECT_EQ(objects, 1u);
+  EXPECT_EQ(report.skipped.at("building that the map has twice, with the same corners"), 63u);
   EXPECT_EQ(report.skipped.at("building of more nodes than [osm] max_way_nodes = 20000"), 19'936u);
 }
 
@@ -730,6 +734,107 @@ TEST(MapBuildings, BrokenMapsAreErrors) {
     const city::ObjectSink nothing = [](city::CityObject&&) {};
     EXPECT_THROW(read_map_buildings(file.path(), {}, city::deliver_to(nothing)), Error) << text;
   }
+}
+
+TEST(MapBuildings, FractionsOfLevelsAndGroundFloorsAreRead) {
+  for (const auto& [text, levels] : {std::pair("1½", 1.5),
+                                     {"2 1/2", 2.5},
+                                     {"½", 0.5},
+                                     {"EG+3", 4.0},
+                                     {"4F", 4.0},
+                                     {"4 fl.", 4.0},
+                                     {"4 этажа", 4.0},
+                                     {"4층", 4.0}}) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, std::string("building=yes,building:levels=") + text);
+    const Read result = read(map);
+    expect_near(volume(result.objects.at(0)) / 60, 3 * levels);
+    EXPECT_TRUE(result.report.skipped.empty()) << text;
+  }
+}
+
+TEST(MapBuildings, APartThatIsNoBuildingStands) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=no,building:part=yes,height=9");
+  map.add_rectangle(50, 0, 10, 6, "building=no,building:part=no,height=9");
+  const Read result = read(map);
+  ASSERT_EQ(result.objects.size(), 1u);
+  expect_near(volume(result.objects[0]) / 60, 9);
+}
+
+TEST(MapBuildings, APartWithoutAHeightHasThatOfItsBuilding) {
+  const auto volume_of = [](const std::string& building, const std::string& part) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, building);
+    map.add_rectangle(0, 0, 5, 6, part);
+    const Read result = read(map);
+    return std::pair(volume(result.objects.at(0)) / 30, result.report.assumed);
+  };
+  const std::string part = "building:part=yes";
+  const auto [height, assumed] = volume_of("building=yes,height=20", part);
+  expect_near(height, 20);
+  EXPECT_EQ(assumed.at("height of a part of a building, as the building's"), 1u);
+  EXPECT_EQ(assumed.size(), 1u);
+  expect_near(volume_of("building=yes,building:levels=4", part).first, 12);
+  expect_near(volume_of("building=yes,height=20", part + ",min_height=8").first, 12);
+  expect_near(volume_of("building=yes,height=20", part + ",building:levels=3").first, 9);
+  // It begins above the building's top, or nobody says a height.
+  expect_near(volume_of("building=yes,height=5", part + ",min_height=8").first, 6);
+  expect_near(volume_of("building=yes", part).first, 6);
+}
+
+// Imports and slips leave two closed ways in one place, of which each had walls, windows and light.
+TEST(MapBuildings, ABuildingThatTheMapHasTwiceStandsOnce) {
+  const std::string twice = "building that the map has twice, with the same corners";
+  const auto read_two = [](const std::string& first, const std::string& second) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, first);
+    map.add_rectangle(0, 0, 10, 6, second);
+    map.add_rectangle(0, 0, 10, 6.5, "building=yes,height=1");  // another one
+    return read(map);
+  };
+  const auto sum = [](const Read& result) {
+    double all = -65;
+    for (const city::CityObject& object : result.objects) all += volume(object);
+    return all / 60;
+  };
+  const Read same = read_two("building=yes,height=9", "building=yes,height=9");
+  expect_near(sum(same), 9);
+  EXPECT_EQ(same.report.skipped.at(twice), 1u);
+  // The one that says more stands.
+  expect_near(sum(read_two("building=yes", "building=yes,height=9")), 9);
+  expect_near(sum(read_two("building=yes,height=9", "building=yes")), 9);
+  // They stand on each other, or one of them is gone.
+  for (const char* other :
+       {"building=yes,height=12,min_height=9", "building=yes,height=12,layer=1"})
+    EXPECT_FALSE(read_two("building=yes,height=9", other).report.skipped.contains(twice)) << other;
+  expect_near(sum(read_two("building=yes,height=9", "building=demolished,height=30,name=A")), 9);
+}
+
+TEST(MapBuildings, PartsOfABuildingThatTheMapHasTwiceBelongToTheOne) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=yes");
+  map.add_rectangle(0, 0, 10, 6, "building=yes,name=A");
+  map.add_rectangle(0, 0, 5, 6, "building:part=yes,height=9");
+  const Read result = read(map);
+  ASSERT_EQ(result.objects.size(), 1u);
+  expect_near(volume(result.objects[0]) / 30, 9);
+}
+
+TEST(MapBuildings, TowersAndTanksThatAreNoBuildingsAreCounted) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=yes,height=9");
+  map.add_rectangle(20, 0, 4, 4, "man_made=chimney,height=80");
+  map.add_rectangle(30, 0, 4, 4, "man_made=storage_tank");
+  map.add_rectangle(40, 0, 4, 4, "man_made=storage_tank,building=yes,height=5");
+  map.add_rectangle(50, 0, 4, 4, "man_made=pier");
+  map.add_point(60, 0, "man_made=mast,tower:type=lighting");
+  const Read result = read(map);
+  EXPECT_EQ(result.objects.size(), 2u);
+  const std::map<std::string, std::size_t> expected{
+      {"man_made=chimney without building=*, not drawn", 1},
+      {"man_made=storage_tank without building=*, not drawn", 1}};
+  EXPECT_EQ(result.report.skipped, expected);
 }
 
 }  // namespace

@@ -337,5 +337,30 @@ TEST(Roofs, GablesOverAnyOutlineAreClosed) {
   }
 }
 
+TEST(Roofs, ASkillionAcrossFallsAlongTheLongerSide) {
+  const auto find_tops = [](std::optional<bool> across, std::optional<double> direction) {
+    BuildingSizes s = sizes(RoofShape::skillion);
+    s.across = across;
+    s.direction_degrees = direction;
+    bool flat = false;
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const city::Polygon& polygon : make_shell(rectangle, s, flat))
+      for (const glm::dvec3& p : polygon.exterior)
+        if (p.z > 8 - 1e-9) low = glm::min(low, p), high = glm::max(high, p);
+    return high - low;
+  };
+  EXPECT_NEAR(find_tops(true, {}).x, 0, 1e-9);
+  EXPECT_NEAR(find_tops(true, {}).y, 6, 1e-9);
+  EXPECT_NEAR(find_tops(false, {}).x, 10, 1e-9);
+  EXPECT_NEAR(find_tops({}, {}).x, 10, 1e-9);
+  EXPECT_NEAR(find_tops(true, 0).x, 10, 1e-9) << "roof:direction says more";
+  BuildingSizes steep = sizes(RoofShape::skillion);
+  steep.top_is_said = false;
+  steep.across = true;
+  steep.slope_degrees = 45;
+  fit_slope(rectangle, steep);
+  EXPECT_NEAR(steep.top_m - steep.eaves_m, 10, 1e-9);
+}
+
 }  // namespace
 }  // namespace nightcity::map_buildings

@@ -84,6 +84,64 @@ TEST_F(OsmFile, WhatIsNotThereTodayIsLeftOutAndCounted) {
   EXPECT_TRUE(street("disused", "yes")) << "it is there, and nobody uses it";
 }
 
+// Imports and slips leave things twice in one place. Such a street was lit as two, a pitch had the
+// light of two.
+TEST_F(OsmFile, WhatAMapHasTwiceInOnePlaceIsReadOnce) {
+  const std::string nodes =
+      "<node id='1' lat='1' lon='1'/><node id='2' lat='1.1' lon='1'/><node id='3' lat='1.1' "
+      "lon='1.1'/>"
+      "<node id='11' lat='1' lon='1'/><node id='12' lat='1.1' lon='1'/><node id='13' lat='1.1' "
+      "lon='1.1'/>";
+  int next = 20;
+  const auto way = [&](const std::string& refs, const std::string& tags) {
+    std::string text = "<way id='" + std::to_string(next++) + "'>";
+    for (std::size_t at = 0; at < refs.size(); at = refs.find(' ', at) + 1) {
+      const std::size_t end = std::min(refs.find(' ', at), refs.size());
+      text += "<nd ref='" + refs.substr(at, end - at) + "'/>";
+      if (end == refs.size()) break;
+    }
+    return text + tags + "</way>";
+  };
+  const auto tag = [](const char* key, const char* value) {
+    return "<tag k='" + std::string(key) + "' v='" + value + "'/>";
+  };
+  const std::string street = tag("highway", "residential"),
+                    pitch = tag("leisure", "pitch") + tag("lit", "yes");
+  const OsmData once = read(nodes + way("1 2 3", street) +
+                            way("11 12 13", street + tag("name", "A")) + way("3 2 1", street));
+  ASSERT_EQ(once.highways.size(), 1u) << "the nodes, other nodes in their places, backwards";
+  EXPECT_EQ(once.highways[0].tags.size(), 2u) << "the one that says more";
+  EXPECT_EQ(once.repeated, 2u);
+  const OsmData rings =
+      read(nodes + way("1 2 3 1", pitch) + way("12 13 11 12", pitch) + way("3 2 1 3", pitch));
+  EXPECT_EQ(rings.shining_things.size(), 1u) << "rings begin anywhere";
+  const OsmData others = read(
+      nodes + way("1 2 3", street) + way("1 2", street) + way("1 2 3", tag("highway", "footway")) +
+      way("1 2 3", street + tag("layer", "1")) + way("1 2 3", tag("railway", "tram")) +
+      way("1 2 3", tag("barrier", "wall")) + way("1 2 3", tag("barrier", "hedge")));
+  EXPECT_EQ(others.highways.size(), 4u);
+  EXPECT_EQ(others.railways.size(), 1u);
+  EXPECT_EQ(others.barriers.size(), 2u);
+  EXPECT_EQ(others.repeated, 0u);
+  const std::string tree = "' lat='1' lon='1'>" + tag("natural", "tree");
+  const OsmData trees =
+      read("<node id='1" + tree + "</node><node id='2" + tree + tag("height", "9") + "</node>");
+  ASSERT_EQ(trees.trees.size(), 1u);
+  EXPECT_EQ(trees.trees[0].tags.at("height"), "9");
+}
+
+TEST_F(OsmFile, LampsThatAreRelationsAndLinesOfRoofsAreCounted) {
+  const OsmData data = read(
+      "<node id='1' lat='1' lon='1'/><node id='2' lat='1.1' lon='1'/>"
+      "<way id='3'><nd ref='1'/><nd ref='2'/><tag k='roof:ridge' v='yes'/></way>"
+      "<way id='4'><nd ref='1'/><nd ref='2'/><tag k='roof:edge' v='yes'/></way>"
+      "<relation id='5'><member type='node' ref='1' role=''/><tag k='highway' v='street_lamp'/>"
+      "</relation>");
+  EXPECT_EQ(data.roof_lines, 2u);
+  EXPECT_EQ(data.lamp_relations, 1u);
+  EXPECT_EQ(count_skipped(data).at("ridges and edges of roofs"), 2u);
+}
+
 TEST_F(OsmFile, ThingsThatMayShineComeByIdWithNodesFirst) {
   const OsmData data = read(R"(
     <node id="9" lat="52.5" lon="13.4"><tag k="advertising" v="column"/></node>
@@ -140,8 +198,9 @@ TEST_F(OsmFile, SignsAndSignalsOfStreetsComeWithTheirTags) {
 TEST_F(OsmFile, RailwaysComeBesideStreetsAlsoWhereOneWayIsBoth) {
   const OsmData data = read(R"(
     <node id="1" lat="52.5" lon="13.4"/><node id="2" lat="52.6" lon="13.4"/>
+    <node id="3" lat="52.7" lon="13.4"/>
     <way id="1"><nd ref="1"/><nd ref="2"/><tag k="railway" v="tram"/></way>
-    <way id="2"><nd ref="1"/><nd ref="2"/><tag k="railway" v="tram"/>
+    <way id="2"><nd ref="2"/><nd ref="3"/><tag k="railway" v="tram"/>
       <tag k="highway" v="residential"/></way>
     <way id="3"><nd ref="1"/><nd ref="2"/><tag k="railway" v="no"/></way>)");
   ASSERT_EQ(data.railways.size(), 2u);
@@ -445,6 +504,9 @@ TEST_F(OsmFile, EveryUnusableFileIsAnErrorThatNamesIt) {
   EXPECT_NE(error_of(write("<osm><node></osm>")).find(":1: "), std::string::npos);
   EXPECT_NE(error_of(write("<!DOCTYPE osm [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><osm/>"))
                 .find("DOCTYPE"),
+            std::string::npos);
+  EXPECT_NE(error_of(write("<osm><node id='1' lat='0' lon='0'/></osm>\n<osm/>"))
+                .find("several documents"),
             std::string::npos);
   EXPECT_NE(error_of(write("\x1f\x8b rubbish", "a.osm.gz")).find("broken osm.gz"),
             std::string::npos);

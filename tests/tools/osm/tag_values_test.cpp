@@ -108,5 +108,17 @@ TEST(TagValues, NumbersAreTakenOffTheFront) {
   EXPECT_EQ(text, "m");
 }
 
+TEST(TagValues, UnitsOfOtherLanguagesAndRemarks) {
+  for (const char* twelve : {"12 mètres", "12 метров", "12米", "12公尺", "１２", "12 m (39 ft)",
+                             "12\xe2\x80\x8b m", "12 metrów", "12 メートル"})
+    EXPECT_EQ(parse_length_m(twelve), 12) << twelve;
+  EXPECT_EQ(parse_length_m("\xe2\x88\x92"
+                           "3"),
+            -3);  // the minus of typography
+  EXPECT_FALSE(parse_length_m("12 parsecs (far)"));
+  EXPECT_EQ(to_plain_signs("−０．５；Ａ\xe2\x80\x8e"), "-0.5;A");
+  EXPECT_EQ(parse_watts("36 Вт"), 36);
+}
+
 }  // namespace
 }  // namespace nightcity::osm

@@ -197,6 +197,24 @@ TEST(ElevationModel, MetresAreSaidToBeAssumedWhereTheCrsCountsFeet) {
   EXPECT_EQ(assumption("EPSG:2263", "ft"), "");
 }
 
+TEST(ElevationModel, TheFirstOfSeveralBandsIsSaidToBeTaken) {
+  const TempFolder folder;
+  GDALAllRegister();
+  const auto assumption = [&](int bands, bool alpha) {
+    {
+      GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+          (folder / "dem.tif").c_str(), 3, 3, bands, GDT_Float32, nullptr));
+      double transform[6] = {0, 10, 0, 30, 0, -10};
+      set->SetGeoTransform(transform);
+      if (alpha) set->GetRasterBand(bands)->SetColorInterpretation(GCI_AlphaBand);
+    }
+    return ElevationModel(folder / "dem.tif").assumption();
+  };
+  EXPECT_EQ(assumption(1, false), "");
+  EXPECT_EQ(assumption(2, true), "");
+  EXPECT_NE(assumption(2, false).find("first band, beside which it has 1 more"), std::string::npos);
+}
+
 TEST(ElevationModel, TheEndsOfATypeAreHolesWhateverItsScale) {
   const TempFolder folder;
   const auto heights = [&](GDALDataType type, double fill) {

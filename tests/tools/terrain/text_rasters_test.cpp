@@ -1,6 +1,7 @@
 // Heights in text, in the forms that surveys write.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -60,7 +61,7 @@ TEST(TextRasters, MarksCommentsAndWideLettersAreNoMatter) {
   write_text(folder / "a.asc",
              "\xef\xbb\xbfncols 2\nnrows 2\nxllcorner 391010\nyllcorner 5819000\ncellsize 10\n"
              "7 7\n7 7\n");
-  write_text(folder / "a.prj", "EPSG:25833");  // no definition: the one given is taken
+  write_text(folder / "a.prj", "nothing");  // no definition: the one given is taken
   EXPECT_NEAR(height_of(folder / "a.asc", place, "EPSG:25833"), 7, 1e-9);
 }
 
@@ -144,6 +145,68 @@ TEST(TextRasters, BrokenGridsOfJapansSurveyAreRefused) {
     } catch (const Error& error) {
       EXPECT_TRUE(std::string(error.what()).starts_with("a.xml: ")) << error.what();
     }
+  }
+}
+
+// A grid of 6 x 6 points, 10 m apart, whose heights say in which row from the north they lie. Words
+// stand in the first `rows` of them.
+std::string make_rows(const std::string& word, int rows, const std::string& head) {
+  std::string text = "ncols 6\nnrows 6\nxllcorner 390995\nyllcorner 5818975\ncellsize 10\n" + head;
+  for (int row = 1; row <= 6; ++row) {
+    for (int column = 0; column < 6; ++column)
+      text += (column > 0 ? " " : "") + (row <= rows ? word : std::to_string(row));
+    text += "\n";
+  }
+  return text;
+}
+
+// GDAL 3.6 takes words for heights of 0, and passes over the first rows that begin with a letter,
+// so that all others lie too far north.
+TEST(TextRasters, WordsForUnknownHeightsAreHoles) {
+  const TempFolder folder;
+  for (const char* word : {"nan", "NaN", "NA", "null", "NULL", "nodata", "None", "N/A", "#N/A", "*",
+                           "-", "---", "inf", "-nan", "nan(ind)", "1.#QNAN"})
+    for (const char* head : {"", "NODATA_value -9999\n", "nodata_value NA\n"}) {
+      const std::string what = std::string(word) + " below " + head;
+      write_text(folder / "a.asc", make_rows(word, 2, head));
+      EXPECT_NEAR(height_of(folder / "a.asc", place, "EPSG:25833"), 3, 1e-4) << what;
+      write_text(folder / "a.asc", make_rows(word, 6, head));
+      EXPECT_TRUE(std::isnan(height_of(folder / "a.asc", place, "EPSG:25833"))) << what;
+    }
+  std::string plane = make_plane();
+  for (std::size_t at = 0; (at = plane.find("391020 5819010 37.5", at)) != std::string::npos;)
+    plane.replace(at + 15, plane.find('\n', at) - at - 15, "NA");
+  write_text(folder / "a.xyz", plane);
+  EXPECT_TRUE(std::isnan(height_of(folder / "a.xyz", place, "EPSG:25833")));
+}
+
+TEST(TextRasters, WordsBeforeTheHeightsStay) {
+  const TempFolder folder;
+  for (const char* headings : {"x y z\n", "Easting,Northing,Height\n"}) {
+    std::string plane = headings + make_plane();
+    if (std::string(headings).find(',') != std::string::npos)
+      std::replace(plane.begin(), plane.end(), ' ', ',');
+    write_text(folder / "a.xyz", plane);
+    EXPECT_NEAR(height_of(folder / "a.xyz", place, "EPSG:25833"), 37.5, 1e-4) << headings;
+  }
+}
+
+TEST(TextRasters, ADefinitionBesideMayHaveAMarkOrBeAName) {
+  const TempFolder folder;
+  write_text(folder / "a.xyz", make_plane());
+  const std::string esri =
+      "PROJCS[\"ETRS_1989_UTM_Zone_33N\",GEOGCS[\"GCS_ETRS_1989\",DATUM[\"D_ETRS_1989\","
+      "SPHEROID[\"GRS_1980\",6378137.0,298.257222101]],PRIMEM[\"Greenwich\",0.0],"
+      "UNIT[\"Degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+      "PARAMETER[\"False_Easting\",500000.0],PARAMETER[\"False_Northing\",0.0],"
+      "PARAMETER[\"Central_Meridian\",15.0],PARAMETER[\"Scale_Factor\",0.9996],"
+      "PARAMETER[\"Latitude_Of_Origin\",0.0],UNIT[\"Meter\",1.0]]";
+  for (const std::string& text :
+       {esri, "\xef\xbb\xbf" + esri, to_wide(esri, false), std::string("EPSG:25833\n"),
+        std::string("urn:ogc:def:crs:EPSG::25833"),
+        std::string("+proj=utm +zone=33 +ellps=GRS80 +units=m")}) {
+    write_text(folder / "a.prj", text);
+    EXPECT_NEAR(height_of(folder / "a.xyz", place, ""), 37.5, 1e-4) << text.substr(0, 30);
   }
 }
 

@@ -49,28 +49,29 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
   if (!inputs_.cover.parking)
     for (osm::OsmWay& way : map_.highways) roads::drop_parking(way.tags);
   if (inputs_.cover.barriers && map_.barrier_relations > 0) add_barrier_outlines();
-  if (map_.long_ways > 0)
-    fmt::print(stderr,
-               "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
-               inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
-  if (map_.bad_coordinates > 0)
-    fmt::print(stderr,
-               "note: {}: {} nodes left out: their coordinates are missing, no numbers or not on "
-               "the globe\n",
-               inputs_.maps.front().string(), map_.bad_coordinates);
-  if (map_.gone > 0)
-    fmt::print(stderr,
-               "note: {}: {} elements left out: they are gone or not built yet (end_date, "
-               "demolished, start_date, ...)\n",
-               inputs_.maps.front().string(), map_.gone);
-  if (map_.crowded_ways > 0)
-    fmt::print(
-        stderr,
-        "note: {}: {} streets or tracks left out: no more than {} may go through one place\n",
-        inputs_.maps.front().string(), map_.crowded_ways, osm::max_streets_at_node);
+  note_left_out();
   if (!inputs_.survey) inventory_reports_ = inventory::add_to_map(inputs_.inventories, map_);
   if (!has_model()) map_frame_ = find_map_frame(map_);
   if (has_model()) report_moved_origin();
+}
+
+void City::note_left_out() const {
+  const auto note = [&](std::size_t count, const std::string& what) {
+    if (count > 0)
+      fmt::print(stderr, "note: {}: {} {}\n", inputs_.maps.front().string(), count, what);
+  };
+  note(map_.long_ways, "ways left out: they have more nodes than [osm] max_way_nodes = " +
+                           std::to_string(inputs_.max_way_nodes));
+  note(map_.bad_coordinates,
+       "nodes left out: their coordinates are missing, no numbers or not on the globe");
+  note(map_.gone,
+       "elements left out: they are gone or not built yet (end_date, demolished, start_date, ...)");
+  note(map_.crowded_ways, "streets or tracks left out: no more than " +
+                              std::to_string(osm::max_streets_at_node) +
+                              " may go through one place");
+  note(map_.repeated, "elements left out: the map has them twice in one place");
+  note(map_.lamp_relations, "lamps left out: they are relations; make each a node");
+  note(map_.roof_lines, "ways of roofs not read (roof:ridge, roof:edge)");
 }
 
 void City::add_barrier_outlines() {

@@ -108,6 +108,8 @@ class City {
   void report_moved_origin() const;
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
   void fill_gaps(std::initializer_list<CityConsumer*> consumers);
+  /// Says on stderr what of the maps is left out.
+  void note_left_out() const;
   void add_barrier_outlines();
   void add_land(const ground_cover::Box& bounds);
   bool drives_on_the_left() const;
