@@ -11,7 +11,7 @@ void tell_flat_buildings(const std::filesystem::path& file, ReadReport& report) 
   if (report.extruded > 0)
     report.warnings.push_back(file.string() + ": " + std::to_string(report.extruded) +
                               " buildings have a footprint alone (LoD0): made blocks of their "
-                              "measured height or their storeys");
+                              "measured height, their roof edge or their storeys");
   if (report.flat > 0)
     report.warnings.push_back(
         file.string() + ": " + std::to_string(report.flat) +

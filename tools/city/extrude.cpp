@@ -15,6 +15,10 @@ bool is_level(const Ring& ring) {
                      [&](const glm::dvec3& p) { return p.z == ring.front().z; });
 }
 
+bool is_footprint(const Polygon& polygon) {
+  return polygon.surface != SurfaceType::roof;
+}
+
 bool is_level(const Polygon& polygon) {
   return !polygon.exterior.empty() && is_level(polygon.exterior) &&
          std::all_of(polygon.interiors.begin(), polygon.interiors.end(),
@@ -88,10 +92,24 @@ std::optional<double> find_block_height_m(const CityObject& object) {
   return *object.storeys_above_ground * mean;
 }
 
+std::optional<double> find_roof_span(const CityObject& object) {
+  std::optional<double> foot, top;
+  for (const Polygon& polygon : object.polygons) {
+    const double z = polygon.exterior.front().z;
+    if (is_footprint(polygon))
+      foot = std::min(foot.value_or(z), z);
+    else
+      top = std::max(top.value_or(z), z);
+  }
+  return foot && top && *top > *foot ? std::optional(*top - *foot) : std::nullopt;
+}
+
 bool extrude_flat_building(CityObject& object, double height_unit_m) {
-  const std::optional<double> height_m = find_block_height_m(object);
-  if (!height_m || !is_flat_building(object)) return false;
-  const auto is_footprint = [](const Polygon& p) { return p.surface != SurfaceType::roof; };
+  if (!is_flat_building(object)) return false;
+  std::optional<double> height_m = object.measured_height_m;
+  if (const auto span = find_roof_span(object); span && !height_m) height_m = *span * height_unit_m;
+  if (!height_m) height_m = find_block_height_m(object);
+  if (!height_m) return false;
   const bool footprints = std::any_of(object.polygons.begin(), object.polygons.end(), is_footprint);
   std::vector<Polygon> blocks;
   for (Polygon& plan : object.polygons)

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "tools/city/better_level.h"
 #include "tools/city/end_date.h"
 #include "tools/city/extrude.h"
 #include "tools/city/ring.h"
@@ -16,22 +17,19 @@ namespace {
 
 constexpr int unknown_lod = -1;
 
-// Chooses of the LoDs that are present: the highest up to the limit, else the lowest above.
+// Chooses of the LoDs that are present.
 class LodChooser {
  public:
   explicit LodChooser(int limit) : limit_(limit) {}
 
   void add(int lod) {
-    if (lod <= limit_)
-      below_ = std::max(below_.value_or(lod), lod);
-    else
-      above_ = std::min(above_.value_or(lod), lod);
+    if (!chosen_ || is_better_level(lod, *chosen_, limit_)) chosen_ = lod;
   }
-  std::optional<int> chosen() const { return below_ ? below_ : above_; }
+  std::optional<int> chosen() const { return chosen_; }
 
  private:
   int limit_;
-  std::optional<int> below_, above_;
+  std::optional<int> chosen_;
 };
 
 struct LodChoice {
@@ -39,14 +37,32 @@ struct LodChoice {
   int of_object = unknown_lod;
 };
 
+// A building's level that holds nothing but its ground plate, or what fills its openings, shows no
+// building.
+bool shows_building(const Polygon& polygon) {
+  return polygon.surface != SurfaceType::ground && polygon.surface != SurfaceType::closure &&
+         polygon.surface != SurfaceType::window && polygon.surface != SurfaceType::door;
+}
+
 LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
   std::vector<LodChooser> present(raw.spaces.size(), LodChooser(options.max_lod));
   LodChooser whole(options.max_lod);  // of spaces that can stand for the object alone
-  for (const RawPolygons::Place& p : raw.polygons.places()) {
-    if (p.lod == unknown_lod) continue;
-    present[p.space].add(p.lod);
-    if (!raw.spaces[p.space].detail) whole.add(p.lod);
-  }
+  const std::vector<RawPolygons::Place>& places = raw.polygons.places();
+  const auto add = [&](std::size_t i) {
+    if (places[i].lod == unknown_lod) return;
+    present[places[i].space].add(places[i].lod);
+    if (!raw.spaces[places[i].space].detail) whole.add(places[i].lod);
+  };
+  const bool is_building = raw.object.type == ObjectType::building;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (is_building && !shows_building(raw.polygons.polygons()[i]))
+      others.push_back(i);
+    else
+      add(i);
+  // They count where a space has nothing else.
+  std::erase_if(others, [&](std::size_t i) { return present[places[i].space].chosen(); });
+  for (const std::size_t i : others) add(i);
   LodChoice choice;
   const std::optional<int> best = whole.chosen();
   for (std::size_t i = 0; i < raw.spaces.size(); ++i) {

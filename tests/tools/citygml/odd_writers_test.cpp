@@ -1,6 +1,7 @@
 // CityGML by writers who separate numbers, order matrices and nest objects in ways of their own.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "tests/tools/citygml/read_file.h"
@@ -133,6 +134,72 @@ TEST(CityGmlOddWriters, AHoleThatEnclosesItsOutlineIsTheOutline) {
   EXPECT_TRUE(read_rings(large, small).report.assumed.empty());
   // A hole elsewhere, however large, is none.
   EXPECT_TRUE(read_rings("20 0 0 22 0 0 22 2 0 20 2 0 20 0 0", large).report.assumed.empty());
+}
+
+// Returns level squares of 1 m2 at these heights, under LoD0's two properties.
+std::string plans(const std::string& foot, const std::string& top) {
+  const auto at = [](const std::string& name, const std::string& z) {
+    const std::string list = "0 0 " + z + " 1 0 " + z + " 1 1 " + z + " 0 1 " + z + " 0 0 " + z;
+    return "<bldg:" + name + ">" + multi_surface(surface_member(polygon("", list))) +
+           "</bldg:" + name + ">";
+  };
+  return at("lod0FootPrint", foot) + at("lod0RoofEdge", top);
+}
+
+double wall_area(const city::CityObject& object) {
+  double sum = 0;
+  for (const city::Polygon& polygon : object.polygons)
+    if (polygon.surface == city::SurfaceType::wall)
+      sum += glm::length(city::area_vector(polygon.exterior));
+  return sum;
+}
+
+TEST(CityGmlOddWriters, AFootprintBelowARoofEdgeIsABlock) {
+  struct Case {
+    std::string said;
+    double height;
+  };
+  for (const Case& c :
+       {Case{"", 10}, Case{"<bldg:storeysAboveGround>2</bldg:storeysAboveGround>", 10},
+        Case{"<bldg:measuredHeight>12</bldg:measuredHeight>", 12}}) {
+    const City city = read(city_model(member_of("b", c.said + plans("15", "25"))));
+    EXPECT_EQ(city.report.extruded, 1u);
+    EXPECT_EQ(city.objects.at(0).polygons.size(), 6u);
+    EXPECT_NEAR(wall_area(city.objects[0]), 4 * c.height, 1e-9) << c.said;
+  }
+  city::ReadOptions feet;
+  feet.height_unit_m = 0.3048;
+  EXPECT_NEAR(wall_area(read(city_model(member_of("b", plans("15", "25"))), feet).objects.at(0)),
+              40, 1e-9);
+  EXPECT_EQ(read(city_model(member_of("b", plans("25", "15")))).report.flat, 1u);
+}
+
+TEST(CityGmlOddWriters, ALevelOfAGroundPlateAloneIsNoBuilding) {
+  const std::string block = "<bldg:lod1MultiSurface>" +
+                            multi_surface(surface_member(polygon("", south_wall))) +
+                            "</bldg:lod1MultiSurface>";
+  const std::string plate = boundary("GroundSurface", surface_member(polygon("", square_at_zero)));
+  const City city = read(city_model(member_of("b", plate + block)));
+  ASSERT_EQ(city.objects.at(0).polygons.size(), 1u);
+  EXPECT_EQ(city.objects[0].lod, 1);
+  EXPECT_EQ(city.report.skipped.at("polygon: lod2, another LoD taken"), 1u);
+  // A part of nothing else keeps it.
+  const City parts = read(city_model(
+      member_of("b", "<bldg:consistsOfBuildingPart><bldg:BuildingPart>" + plate +
+                         "</bldg:BuildingPart></bldg:consistsOfBuildingPart>" +
+                         boundary("WallSurface", surface_member(polygon("", south_wall))))));
+  EXPECT_EQ(parts.objects.at(0).polygons.size(), 2u);
+}
+
+TEST(CityGmlOddWriters, SurfacesWithoutTheirBuildingAreCounted) {
+  const City city =
+      read(city_model(member("<bldg:WallSurface gml:id=\"w\"><bldg:lod2MultiSurface>" +
+                             multi_surface(surface_member(polygon("", south_wall))) +
+                             "</bldg:lod2MultiSurface></bldg:WallSurface>")));
+  EXPECT_EQ(city.report.polygons, 1u);
+  EXPECT_EQ(city.report.skipped.at(
+                "building of a bldg:WallSurface that is a member of its own: no windows"),
+            1u);
 }
 
 }  // namespace
