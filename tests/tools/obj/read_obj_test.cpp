@@ -280,5 +280,13 @@ TEST(Obj, AFileIsRecognisedByItsStatements) {
     EXPECT_FALSE(begins_as_obj(text)) << text;
 }
 
+TEST(Obj, PlacesOnAPictureThatAreNoNumbersHideNoFile) {
+  EXPECT_TRUE(begins_as_obj("o a\nvt nan -nan\nv 0 0 0\nv 1 0 0\n"));
+  EXPECT_FALSE(begins_as_obj("v as in vertex\n"));
+  const City city = read_obj_text("vt nan nan\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1/1 2/1 3/1\n",
+                                  with_up(city::MeshPlacement::Up::z));
+  EXPECT_EQ(city.report.polygons, 1u);
+}
+
 }  // namespace
 }  // namespace nightcity::obj
