@@ -58,7 +58,11 @@ struct Header {
 
   void read(std::string_view line, const std::string& name, std::size_t number,
             city::SkipCounter& skipped) {
-    value = parse(parser, line, name, number);
+    if (const auto error = parser.parse(line.data(), line.size(), false).get(value))
+      throw Error(name, number,
+                  "the first line of a CityJSONSeq holds its CRS and transform, and this one is no "
+                  "JSON (" +
+                      std::string(simdjson::error_message(error)) + "): fetch the file again");
     const std::string where = name + ":" + std::to_string(number);
     dom::object object;
     if (value.get(object) != simdjson::SUCCESS)
