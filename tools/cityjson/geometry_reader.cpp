@@ -30,6 +30,24 @@ std::optional<int> find_surface_depth(std::string_view type) {
   return {};
 }
 
+// Returns how many arrays the first vertex number lies in; none where there is no number.
+std::optional<int> measure_nesting(const dom::element& boundaries) {
+  dom::array array;
+  if (boundaries.get(array) != simdjson::SUCCESS)
+    return to_index(boundaries) ? std::optional(0) : std::nullopt;
+  for (const dom::element& child : array)
+    if (const auto inside = measure_nesting(child)) return *inside + 1;
+  return {};
+}
+
+// The same by how deep the boundaries are nested, where a writer mistook a type for another: a
+// surface is two arrays, its rings and their vertices.
+std::optional<int> find_surface_depth(std::string_view type, const dom::element& boundaries) {
+  const auto by_type = find_surface_depth(type);
+  const auto nesting = by_type ? measure_nesting(boundaries) : std::nullopt;
+  return nesting && *nesting >= 3 && *nesting <= 5 ? std::optional(*nesting - 3) : by_type;
+}
+
 // A geometry's level of detail: a number in CityJSON 1.0, a text since 1.1.
 std::optional<double> find_lod(const dom::object& geometry) {
   const auto value = find_member(geometry, "lod");
@@ -48,9 +66,10 @@ std::size_t count_at(const dom::element& boundaries, int depth) {
 }
 
 std::size_t count_its_polygons(const dom::object& geometry) {
-  const auto depth = find_surface_depth(find_text(geometry, "type"));
   const auto boundaries = find_member(geometry, "boundaries");
-  return depth && boundaries ? count_at(*boundaries, *depth) : 0;
+  if (!boundaries) return 0;
+  const auto depth = find_surface_depth(find_text(geometry, "type"), *boundaries);
+  return depth ? count_at(*boundaries, *depth) : 0;
 }
 
 // Steps through an array of values that belong to others; gives null where there is none.
@@ -143,13 +162,15 @@ void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
 void GeometryReader::read_geometry(const dom::object& geometry, Context context,
                                    city::RawPolygons& out) {
   const std::string_view type = find_text(geometry, "type");
-  const auto depth = find_surface_depth(type);
   const auto boundaries = find_member(geometry, "boundaries");
   if (places_ && boundaries && type == "MultiPoint") return read_points(*boundaries);
-  if (!depth || !boundaries) {
+  const auto depth = boundaries ? find_surface_depth(type, *boundaries) : std::nullopt;
+  if (!depth) {
     skipped_.add(type.empty() ? "geometry without a type" : type);
     return;
   }
+  if (depth != find_surface_depth(type))
+    skipped_.add("type " + std::string(type) + " of a geometry that is nested otherwise");
   read_semantics(geometry, context);
   std::optional<dom::element> values;
   if (const auto semantics = find_object(geometry, "semantics"))

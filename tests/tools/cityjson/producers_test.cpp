@@ -146,5 +146,23 @@ TEST(CityJsonProducers, AFeatureMayHaveATransformOfItsOwn) {
   EXPECT_NEAR(volume(city.objects.at(0)), 200.0 * 300 * 400, 1e-3);
 }
 
+TEST(CityJsonProducers, BoundariesOfAnotherTypeAreReadAsTheyAreNested) {
+  const std::string faces = std::string("[") + box_faces + "]";
+  struct Case {
+    std::string type, boundaries;
+  };
+  for (const Case& c : {Case{"Solid", faces}, Case{"MultiSurface", "[" + faces + "]"},
+                        Case{"MultiSolid", "[" + faces + "]"}, Case{"Solid", "[[" + faces + "]]"},
+                        Case{"Solid", "[[],[" + faces + "]]"}}) {
+    const City city = read_city(city_json(
+        object("b", "Building",
+               "{\"type\":\"" + c.type + "\",\"lod\":\"2\",\"boundaries\":" + c.boundaries + "}")));
+    ASSERT_EQ(city.report.polygons, 6u) << c.type << c.boundaries;
+    EXPECT_NEAR(volume(city.objects.at(0)), 24, 1e-9);
+    EXPECT_EQ(city.report.skipped.at("type " + c.type + " of a geometry that is nested otherwise"),
+              1u);
+  }
+}
+
 }  // namespace
 }  // namespace nightcity::cityjson
