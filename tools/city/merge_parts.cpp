@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -178,6 +179,20 @@ void make_texts_valid(CityObject& object) {
     if (!polygon.id.empty()) polygon.id = to_valid_utf8(std::move(polygon.id));
 }
 
+void compare_heights(const CityObject& object, double height_unit_m, ReadReport& report) {
+  constexpr double odd = 2.5;
+  const double measured_m = object.measured_height_m.value_or(0);
+  if (object.type != ObjectType::building || !(measured_m > 0) || object.polygons.empty()) return;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Polygon& polygon : object.polygons)
+    for (const glm::dvec3& p : polygon.exterior)
+      low = std::min(low, p.z), high = std::max(high, p.z);
+  const double ratio = (high - low) * height_unit_m / measured_m;
+  ++(ratio > odd       ? report.above_measured
+     : ratio < 1 / odd ? report.below_measured
+                       : report.as_measured);
+}
+
 }  // namespace
 
 CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report) {
@@ -222,6 +237,7 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
                                         [](const RawPolygons::Place& p) { return p.lod == 0; });
     if (lod0_alone && object.type == ObjectType::building && !find_block_height_m(object))
       object.measured_height_m = raw.named_heights.find_height_m(options.height_unit_m);
+    if (!lod0_alone) compare_heights(object, options.height_unit_m, report);
     if (lod0_alone && is_flat_building(object))
       ++(extrude_flat_building(object, options.height_unit_m) ? report.extruded : report.flat);
   }

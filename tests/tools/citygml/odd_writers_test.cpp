@@ -174,6 +174,30 @@ TEST(CityGmlOddWriters, AFootprintBelowARoofEdgeIsABlock) {
   EXPECT_EQ(read(city_model(member_of("b", plans("25", "15")))).report.flat, 1u);
 }
 
+// Footprints follow the ground, or are level but for a millimetre.
+TEST(CityGmlOddWriters, PlansThatAreNotQuiteLevelAreBlocks) {
+  struct Case {
+    std::string property, list;
+    double foot;
+  };
+  const std::string tall = "<bldg:measuredHeight>9</bldg:measuredHeight>";
+  for (const Case& c : {Case{"lod0FootPrint", "0 0 30 1 0 30.4 1 1 31 0 1 30.2 0 0 30", 30},
+                        Case{"lod0FootPrint", "0 0 30.001 1 0 30 1 1 30 0 1 30.002 0 0 30.001", 30},
+                        Case{"lod0RoofEdge", "0 0 39 1 0 39 1 1 39.5 0 1 39.5 0 0 39", 30.5}}) {
+    const City city =
+        read(city_model(member_of("b", tall + "<bldg:" + c.property + ">" +
+                                           multi_surface(surface_member(polygon("", c.list))) +
+                                           "</bldg:" + c.property + ">")));
+    EXPECT_EQ(city.report.extruded, 1u) << c.list;
+    EXPECT_NEAR(wall_area(city.objects.at(0)), 36, 1e-9) << c.list;
+    EXPECT_EQ(city.objects[0].polygons.at(0).exterior.at(0).z, c.foot) << c.list;
+  }
+  const City wall = read(city_model(member_of(
+      "b", tall + "<bldg:lod0FootPrint>" + multi_surface(surface_member(polygon("", south_wall))) +
+               "</bldg:lod0FootPrint>")));
+  EXPECT_EQ(wall.report.extruded, 0u);
+}
+
 TEST(CityGmlOddWriters, ALevelOfAGroundPlateAloneIsNoBuilding) {
   const std::string block = "<bldg:lod1MultiSurface>" +
                             multi_surface(surface_member(polygon("", south_wall))) +
@@ -200,6 +224,22 @@ TEST(CityGmlOddWriters, SurfacesWithoutTheirBuildingAreCounted) {
   EXPECT_EQ(city.report.skipped.at(
                 "building of a bldg:WallSurface that is a member of its own: no windows"),
             1u);
+}
+
+TEST(CityGmlOddWriters, HeightsInAnotherUnitThanTheMeasuredOnesAreTold) {
+  const auto warn = [](const std::string& measured, int count) {
+    std::string members;
+    for (int i = 0; i < count; ++i)
+      members += member(building("b" + std::to_string(i),
+                                 "<bldg:measuredHeight>" + measured + "</bldg:measuredHeight>"));
+    const City city = read(city_model(members));  // unit boxes
+    return city.report.warnings.empty() ? std::string() : city.report.warnings[0];
+  };
+  EXPECT_NE(warn("0.3048", 3).find("3 of 3 buildings with a measured height are more than 2.5"),
+            std::string::npos);
+  EXPECT_NE(warn("100", 4).find("less than 0.4"), std::string::npos);
+  EXPECT_EQ(warn("1.5", 4), "");
+  EXPECT_EQ(warn("100", 2), "");  // too few to tell
 }
 
 }  // namespace
