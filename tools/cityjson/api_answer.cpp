@@ -74,11 +74,17 @@ std::string find_what_is_missing(const dom::object& answer) {
 
 std::optional<ApiAnswer> read_api_answer(const city::Document& document, std::size_t max_bytes) {
   if (!begins_as_answer(city::read_start(document, bytes_that_tell))) return {};
-  const std::string text = city::read_next(*document.open(), max_bytes + 1);
+  std::string text = city::read_next(*document.open(), max_bytes + 1);
   if (text.size() > max_bytes) refuse_long_part(document.name, 1, "server's answer", max_bytes);
+  text.erase(0, text.find('{'));  // a byte order mark
+  const std::size_t size = text.size();
+  text.resize(size + simdjson::SIMDJSON_PADDING, ' ');
   dom::parser parser;
+  dom::element value;
   dom::object answer;
-  if (parser.parse(text).get(answer) != simdjson::SUCCESS) return {};
+  if (parse_text(parser, std::string_view(text).substr(0, size), value) ||
+      value.get(answer) != simdjson::SUCCESS)
+    return {};
   const auto header = find_object(answer, "metadata");
   if (!header || find_text(*header, "type") != "CityJSON") return {};
   auto lines = std::make_shared<std::string>(simdjson::minify(*header) + "\n");

@@ -164,5 +164,27 @@ TEST(CityJsonProducers, BoundariesOfAnotherTypeAreReadAsTheyAreNested) {
   }
 }
 
+// Python's json.dumps and C++ write them.
+TEST(CityJsonProducers, NumbersThatAreNoneSayNothing) {
+  for (const char* number : {"NaN", "-Infinity", "nan", "-nan(ind)", "inf"}) {
+    const std::string attributes = "\"attributes\":{\"a\":" + std::string(number) +
+                                   ",\"b\":\"NaN \\\" NaN\",\"measuredHeight\":" + number + "}";
+    const City city = read_city(city_json(object("x", "Building", solid(), attributes)));
+    ASSERT_EQ(city.objects.size(), 1u) << number;
+    EXPECT_NEAR(volume(city.objects[0]), 24, 1e-9);
+    EXPECT_FALSE(city.objects[0].measured_height_m);
+    const City lines =
+        read_city(header() + feature("x", object("x", "Building", solid(), attributes)));
+    EXPECT_EQ(lines.report.polygons, 6u) << number;
+  }
+  std::string text = city_json(object("x", "Building", solid()));
+  text.replace(text.find("[0,0,0]"), 7, "[0,0,NaN]");
+  EXPECT_EQ(read_city(text).report.skipped.at("polygon: ring with coordinates that are no numbers"),
+            3u);
+  EXPECT_NE(error_of(city_json(object("x", "Building", solid(), "\"attributes\":{\"a\":NaX}")))
+                .find("not JSON"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace nightcity::cityjson

@@ -109,6 +109,8 @@ TEST(CityJsonSeq, AServersAnswerIsASequence) {
   const std::string metadata = "\"metadata\":" + header();
   const std::string one = feature("b", object("b", "Building", solid()));
   const std::string two = feature("c", object("c", "Building", solid()));
+  EXPECT_EQ(read_city("\xEF\xBB\xBF{\"feature\":" + one + "," + metadata + "}").report.polygons,
+            6u);
   const City item = read_city("{\"id\":\"b\",\"feature\":" + one + "," + metadata + "}");
   ASSERT_EQ(item.objects.size(), 1u);
   EXPECT_NEAR(volume(item.objects[0]), 24, 1e-9);
