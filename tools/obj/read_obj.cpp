@@ -76,11 +76,13 @@ city::RawObject to_raw(const Faces& faces, const Vertices& vertices, const FaceP
                        city::ReadReport& report) {
   city::RawObject raw;
   raw.object.id = faces.name;
-  raw.object.type = find_object_type(faces.name);
+  const auto named = find_named_type(faces.name);
+  raw.object.type = named.value_or(faces.find_common_kind());
   raw.object.class_name = "object";
   raw.object.continues = faces.continued;
   if (raw.object.type != city::ObjectType::building && !faces.continued)
-    ++report.assumed["kind of an object, by its name: " + std::string(name_of(raw.object.type))];
+    ++report.assumed["kind of an object, by its " + std::string(named ? "name: " : "material: ") +
+                     name_of(raw.object.type)];
   std::size_t at = 0;
   std::vector<std::uint32_t> places;  // of the polygon's vertices, in pictures
   std::int64_t pixels_left = city::max_object_pixels;
