@@ -54,10 +54,12 @@ LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
     present[places[i].space].add(places[i].lod);
     if (!raw.spaces[places[i].space].detail) whole.add(places[i].lod);
   };
-  const bool is_building = raw.object.type == ObjectType::building;
+  const auto differs = [&](const RawPolygons::Place& p) { return p.lod != places.front().lod; };
+  const bool chooses =
+      raw.object.type == ObjectType::building && std::any_of(places.begin(), places.end(), differs);
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (is_building && !shows_building(raw.polygons.polygons()[i]))
+    if (chooses && !shows_building(raw.polygons.polygons()[i]))
       others.push_back(i);
     else
       add(i);

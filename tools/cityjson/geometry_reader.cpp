@@ -34,18 +34,27 @@ std::optional<int> find_surface_depth(std::string_view type) {
 std::optional<int> measure_nesting(const dom::element& boundaries) {
   dom::array array;
   if (boundaries.get(array) != simdjson::SUCCESS)
-    return to_index(boundaries) ? std::optional(0) : std::nullopt;
+    return boundaries.is_number() ? std::optional(0) : std::nullopt;
   for (const dom::element& child : array)
     if (const auto inside = measure_nesting(child)) return *inside + 1;
   return {};
 }
 
-// The same by how deep the boundaries are nested, where a writer mistook a type for another: a
-// surface is two arrays, its rings and their vertices.
-std::optional<int> find_surface_depth(std::string_view type, const dom::element& boundaries) {
-  const auto by_type = find_surface_depth(type);
-  const auto nesting = by_type ? measure_nesting(boundaries) : std::nullopt;
-  return nesting && *nesting >= 3 && *nesting <= 5 ? std::optional(*nesting - 3) : by_type;
+// Returns the same by how deep the boundaries are nested, where a writer mistook a type for another:
+// a surface is two arrays, its rings and their vertices. Flattened, as each geometry is looked at.
+[[gnu::flatten]] int correct_depth(int by_type, const dom::element& boundaries) {
+  dom::element at = boundaries;
+  dom::array array;
+  int nesting = 0;
+  for (; at.get(array) == simdjson::SUCCESS; ++nesting) {
+    const auto first = array.begin();
+    if (!(first != array.end())) {  // an empty shell says nothing
+      nesting = measure_nesting(boundaries).value_or(0);
+      break;
+    }
+    at = *first;
+  }
+  return nesting >= 3 && nesting <= 5 ? nesting - 3 : by_type;
 }
 
 // A geometry's level of detail: a number in CityJSON 1.0, a text since 1.1.
@@ -68,8 +77,8 @@ std::size_t count_at(const dom::element& boundaries, int depth) {
 std::size_t count_its_polygons(const dom::object& geometry) {
   const auto boundaries = find_member(geometry, "boundaries");
   if (!boundaries) return 0;
-  const auto depth = find_surface_depth(find_text(geometry, "type"), *boundaries);
-  return depth ? count_at(*boundaries, *depth) : 0;
+  const auto depth = find_surface_depth(find_text(geometry, "type"));
+  return depth ? count_at(*boundaries, correct_depth(*depth, *boundaries)) : 0;
 }
 
 // Steps through an array of values that belong to others; gives null where there is none.
@@ -164,12 +173,13 @@ void GeometryReader::read_geometry(const dom::object& geometry, Context context,
   const std::string_view type = find_text(geometry, "type");
   const auto boundaries = find_member(geometry, "boundaries");
   if (places_ && boundaries && type == "MultiPoint") return read_points(*boundaries);
-  const auto depth = boundaries ? find_surface_depth(type, *boundaries) : std::nullopt;
-  if (!depth) {
+  const auto by_type = find_surface_depth(type);
+  if (!by_type || !boundaries) {
     skipped_.add(type.empty() ? "geometry without a type" : type);
     return;
   }
-  if (depth != find_surface_depth(type))
+  const int depth = correct_depth(*by_type, *boundaries);
+  if (depth != *by_type)
     skipped_.add("type " + std::string(type) + " of a geometry that is nested otherwise");
   read_semantics(geometry, context);
   std::optional<dom::element> values;
@@ -190,7 +200,7 @@ void GeometryReader::read_geometry(const dom::object& geometry, Context context,
   walk(*boundaries,
        {values ? &*values : nullptr, materials ? &*materials : nullptr,
         textures ? &*textures : nullptr},
-       *depth, context, out);
+       depth, context, out);
 }
 
 void GeometryReader::read_points(const dom::element& boundaries) {
