@@ -48,7 +48,8 @@ struct ReadReport {
 };
 
 /// Adds warnings for the file's buildings that were published as footprints, and for heights that
-/// contradict the measured ones, and makes all texts valid UTF-8. To be called once the whole file has been read, and not for each of its pieces.
+/// contradict the measured ones, and makes all texts valid UTF-8. To be called once the whole file
+/// has been read, and not for each of its pieces.
 void finish_report(const std::filesystem::path& file, ReadReport& report);
 
 /// The parser of CityGML. Both deliver the same model; the second is a second opinion.

@@ -20,10 +20,11 @@ std::optional<double> find_block_height_m(const CityObject& object);
 std::optional<double> find_roof_span(const CityObject& object);
 
 /// Replaces a flat building's polygons by blocks of its measured height, else of its roof's span,
-/// else of its storeys; without any it changes nothing and returns false: floor, roof and walls, holes as courtyards. A footprint's
-/// lowest corner lies at the block's foot; a roof edge's highest at its top, or at its foot where the file gives it height 0, as files
-/// without heights do. Where there are footprints, roof edges are left out. `height_unit_m`: metres
-/// in the unit of the object's heights.
+/// else of its storeys: floor, roof and walls, holes as courtyards. Without any it changes nothing
+/// and returns false. A footprint's lowest corner lies at the block's foot; a roof edge's highest
+/// at its top, or at its foot where the file gives it height 0, as files without heights do. Where
+/// there are footprints, roof edges are left out. `height_unit_m`: metres in the unit of the
+/// object's heights.
 bool extrude_flat_building(CityObject& object, double height_unit_m);
 
 }  // namespace nightcity::city
