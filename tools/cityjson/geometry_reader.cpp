@@ -40,8 +40,8 @@ std::optional<int> measure_nesting(const dom::element& boundaries) {
   return {};
 }
 
-// Returns the same by how deep the boundaries are nested, where a writer mistook a type for another:
-// a surface is two arrays, its rings and their vertices. Flattened, as each geometry is looked at.
+// Returns the same by how deep the boundaries are nested, where a writer mistook a type for
+// another: a surface is two arrays, its rings and their vertices. Each geometry is looked at.
 [[gnu::flatten]] int correct_depth(int by_type, const dom::element& boundaries) {
   dom::element at = boundaries;
   dom::array array;

@@ -77,9 +77,9 @@ class GroupReader {
 };
 
 /// Cuts faces of which the file names no parts into those that hang together: two faces that have a
-/// place in common belong to one object, and, where nothing has a name, only if their materials name
-/// one kind. By their kind, then in the order of their first faces. A single one has the
-/// name in `faces`, each of several a name of its own by its shape.
+/// place in common belong to one object, and, where nothing has a name, only if their materials
+/// name one kind. By their kind, then in the order of their first faces. A single one has the name
+/// in `faces`, each of several a name of its own by its shape.
 std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices);
 
 }  // namespace nightcity::obj

@@ -26,8 +26,8 @@ struct Mark {
   int level = 0;
 };
 
-// Reads "lod2", "lod-2", "lod22" or "lod2.2" at `at`. Levels within a level go from 0 to 3 (Biljecki
-// et al. 2016). A second number behind another character may count tiles: it is no level.
+// Reads "lod2", "lod-2", "lod22" or "lod2.2" at `at`. Levels within a level go from 0 to 3
+// (Biljecki et al. 2016). A second number behind another character may count tiles: it is no level.
 Mark read_mark(std::string_view name, std::size_t at) {
   if (!name.substr(at).starts_with("lod") || (at > 0 && is_letter(name[at - 1]))) return {};
   std::size_t i = at + 3;

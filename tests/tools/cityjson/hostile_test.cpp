@@ -100,8 +100,8 @@ TEST(HostileCityJson, GeometryThatCannotBeIsSkippedAndCounted) {
 }
 
 TEST(HostileCityJson, CoordinatesThatAreNoneLoseTheirPolygonsAlone) {
-  // Vertices: text, too few, too many, beyond a double, null, no number, at a height that stands for
-  // none.
+  // Vertices: text, too few, too many, beyond a double, null, no number, at a height that stands
+  // for none.
   for (const char* bad : {"\"x\"", "[1,2]", "[1,2,3,4]", "[1,2,\"3\"]", "null", "[1,2,null]",
                           "[NaN,0,0]", "[0,-Infinity,0]"}) {
     const City read = read_city(
