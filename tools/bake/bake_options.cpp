@@ -1,8 +1,15 @@
 #include "tools/bake/bake_options.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "tools/obj/level_in_name.h"
 
 namespace nightcity::bake {
 namespace {
@@ -15,10 +22,29 @@ std::vector<std::filesystem::path> sort_files(std::vector<std::filesystem::path>
   return files;
 }
 
+// An OBJ states no level of detail, so that objects in several cannot be told apart once they are
+// read.
+std::vector<std::filesystem::path> leave_out_lower_levels(std::vector<std::filesystem::path> files,
+                                                          int max_lod) {
+  std::vector<std::string> names;
+  for (const auto& file : files) names.push_back(file.generic_string());
+  const std::vector<bool> read = obj::find_best_levels(names, max_lod);
+  std::vector<std::filesystem::path> best;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (read[i])
+      best.push_back(std::move(files[i]));
+    else
+      fmt::print(stderr,
+                 "note: {}: passed over: its name differs from another's in the level of detail "
+                 "alone, and [city] lod = {} takes the other\n",
+                 names[i], max_lod);
+  return best;
+}
+
 CityInputs to_city_inputs(const Recipe& recipe) {
   CityInputs inputs;
   inputs.recipe = recipe.path;
-  inputs.files = sort_files(recipe.city.files);
+  inputs.files = leave_out_lower_levels(sort_files(recipe.city.files), recipe.city.read.max_lod);
   inputs.maps = sort_files(recipe.osm.files);
   inputs.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read = recipe.city.read;

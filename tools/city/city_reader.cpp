@@ -2,6 +2,7 @@
 
 #include "tools/city/text_encoding.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace nightcity::city {
@@ -11,12 +12,27 @@ void tell_flat_buildings(const std::filesystem::path& file, ReadReport& report) 
   if (report.extruded > 0)
     report.warnings.push_back(file.string() + ": " + std::to_string(report.extruded) +
                               " buildings have a footprint alone (LoD0): made blocks of their "
-                              "measured height or their storeys");
+                              "measured height, their roof edge or their storeys");
   if (report.flat > 0)
     report.warnings.push_back(
         file.string() + ": " + std::to_string(report.flat) +
         " buildings have a footprint alone (LoD0) and neither a measured height nor "
         "storeys: they are flat");
+}
+
+// Heights in feet or centimetres under the name of a CRS in metres are so.
+void tell_odd_heights(const std::filesystem::path& file, ReadReport& report) {
+  constexpr std::size_t enough = 3;
+  const std::size_t all = report.as_measured + report.above_measured + report.below_measured;
+  const std::size_t odd = std::max(report.above_measured, report.below_measured);
+  if (all < enough || 10 * odd < 9 * all) return;
+  report.warnings.push_back(
+      file.string() + ": " + std::to_string(odd) + " of " + std::to_string(all) +
+      " buildings with a measured height are " +
+      (report.above_measured == odd ? "more than 2.5 times as high"
+                                    : "less than 0.4 times as high") +
+      " in their shape: heights may be in another unit than their CRS says (feet, centimetres): "
+      "name one with that unit in [city] crs, or convert the file");
 }
 
 void make_texts_valid(ReadReport& report) {
@@ -31,6 +47,7 @@ void make_texts_valid(ReadReport& report) {
 
 void finish_report(const std::filesystem::path& file, ReadReport& report) {
   tell_flat_buildings(file, report);
+  tell_odd_heights(file, report);
   make_texts_valid(report);
 }
 
@@ -41,6 +58,9 @@ void ReadReport::merge(const ReadReport& other) {
   polygons += other.polygons;
   extruded += other.extruded;
   flat += other.flat;
+  as_measured += other.as_measured;
+  above_measured += other.above_measured;
+  below_measured += other.below_measured;
   if (needs_whole_file.empty()) needs_whole_file = other.needs_whole_file;
   for (const auto& [name, count] : other.skipped) skipped[name] += count;
   for (const auto& [name, count] : other.assumed) assumed[name] += count;

@@ -31,6 +31,9 @@ struct ReadReport {
   /// Buildings published as a footprint alone: made blocks of their height, and left flat for want
   /// of one.
   std::size_t extruded = 0, flat = 0;
+  /// Buildings with a shape and a measured height: those as high as that, roughly, those several
+  /// times as high, and those of a fraction of it.
+  std::size_t as_measured = 0, above_measured = 0, below_measured = 0;
   /// Why a piece of a file cannot be read without the rest of it; "" = it can.
   std::string needs_whole_file;
 
@@ -40,12 +43,13 @@ struct ReadReport {
   template <class Archive>
   void visit(Archive& archive) {
     archive(version, srs_name, objects, polygons, skipped, passed_over, warnings, extruded, flat,
-            needs_whole_file);
+            as_measured, above_measured, below_measured, needs_whole_file);
   }
 };
 
-/// Adds a warning for the file's buildings that were published as footprints, and makes all texts
-/// valid UTF-8. To be called once the whole file has been read, and not for each of its pieces.
+/// Adds warnings for the file's buildings that were published as footprints, and for heights that
+/// contradict the measured ones, and makes all texts valid UTF-8. To be called once the whole file
+/// has been read, and not for each of its pieces.
 void finish_report(const std::filesystem::path& file, ReadReport& report);
 
 /// The parser of CityGML. Both deliver the same model; the second is a second opinion.

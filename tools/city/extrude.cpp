@@ -1,6 +1,8 @@
 #include "tools/city/extrude.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -10,15 +12,28 @@
 namespace nightcity::city {
 namespace {
 
-bool is_level(const Ring& ring) {
-  return std::all_of(ring.begin(), ring.end(),
-                     [&](const glm::dvec3& p) { return p.z == ring.front().z; });
+bool is_footprint(const Polygon& polygon) {
+  return polygon.surface != SurfaceType::roof;
 }
 
-bool is_level(const Polygon& polygon) {
-  return !polygon.exterior.empty() && is_level(polygon.exterior) &&
-         std::all_of(polygon.interiors.begin(), polygon.interiors.end(),
-                     [](const Ring& ring) { return is_level(ring); });
+// Footprints may follow the ground, and roof edges the roof: but they have an area in plan, which a
+// wall has not. In degrees too, where slopes say nothing.
+bool is_plan(const Polygon& polygon) {
+  constexpr double least_share = 1e-3;  // of the area of the box around it
+  const Ring& ring = polygon.exterior;
+  if (ring.empty()) return false;
+  glm::dvec3 low = ring.front(), high = low;
+  for (const glm::dvec3& p : ring) low = glm::min(low, p), high = glm::max(high, p);
+  const double area = std::abs(area_vector(ring).z);
+  return area > 0 && area >= least_share * (high.x - low.x) * (high.y - low.y);
+}
+
+// Returns the height that stands for a plan: the lowest of a footprint, the highest of a roof edge.
+double find_level(const Polygon& plan) {
+  const auto [low, high] =
+      std::minmax_element(plan.exterior.begin(), plan.exterior.end(),
+                          [](const glm::dvec3& a, const glm::dvec3& b) { return a.z < b.z; });
+  return is_footprint(plan) ? low->z : high->z;
 }
 
 Ring at_height(Ring ring, double z) {
@@ -47,7 +62,7 @@ void add_walls(const Ring& ring, double foot, double top, const Polygon& of,
 }
 
 void add_block(Polygon plan, double height, std::vector<Polygon>& out) {
-  const double z = plan.exterior.front().z;
+  const double z = find_level(plan);
   const bool hangs = plan.surface == SurfaceType::roof && z != 0;
   const double foot = hangs ? z - height : z, top = foot + height;
   turn_up(plan);
@@ -74,7 +89,7 @@ void add_block(Polygon plan, double height, std::vector<Polygon>& out) {
 bool is_flat_building(const CityObject& object) {
   return object.type == ObjectType::building && object.lod == 0 && !object.polygons.empty() &&
          std::all_of(object.polygons.begin(), object.polygons.end(),
-                     [](const Polygon& polygon) { return is_level(polygon); });
+                     [](const Polygon& polygon) { return is_plan(polygon); });
 }
 
 std::optional<double> find_block_height_m(const CityObject& object) {
@@ -88,10 +103,24 @@ std::optional<double> find_block_height_m(const CityObject& object) {
   return *object.storeys_above_ground * mean;
 }
 
+std::optional<double> find_roof_span(const CityObject& object) {
+  std::optional<double> foot, top;
+  for (const Polygon& polygon : object.polygons) {
+    const double z = find_level(polygon);
+    if (is_footprint(polygon))
+      foot = std::min(foot.value_or(z), z);
+    else
+      top = std::max(top.value_or(z), z);
+  }
+  return foot && top && *top > *foot ? std::optional(*top - *foot) : std::nullopt;
+}
+
 bool extrude_flat_building(CityObject& object, double height_unit_m) {
-  const std::optional<double> height_m = find_block_height_m(object);
-  if (!height_m || !is_flat_building(object)) return false;
-  const auto is_footprint = [](const Polygon& p) { return p.surface != SurfaceType::roof; };
+  if (!is_flat_building(object)) return false;
+  std::optional<double> height_m = object.measured_height_m;
+  if (const auto span = find_roof_span(object); span && !height_m) height_m = *span * height_unit_m;
+  if (!height_m) height_m = find_block_height_m(object);
+  if (!height_m) return false;
   const bool footprints = std::any_of(object.polygons.begin(), object.polygons.end(), is_footprint);
   std::vector<Polygon> blocks;
   for (Polygon& plan : object.polygons)

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "tools/city/better_level.h"
 #include "tools/city/end_date.h"
 #include "tools/city/extrude.h"
 #include "tools/city/ring.h"
@@ -16,22 +18,19 @@ namespace {
 
 constexpr int unknown_lod = -1;
 
-// Chooses of the LoDs that are present: the highest up to the limit, else the lowest above.
+// Chooses of the LoDs that are present.
 class LodChooser {
  public:
   explicit LodChooser(int limit) : limit_(limit) {}
 
   void add(int lod) {
-    if (lod <= limit_)
-      below_ = std::max(below_.value_or(lod), lod);
-    else
-      above_ = std::min(above_.value_or(lod), lod);
+    if (!chosen_ || is_better_level(lod, *chosen_, limit_)) chosen_ = lod;
   }
-  std::optional<int> chosen() const { return below_ ? below_ : above_; }
+  std::optional<int> chosen() const { return chosen_; }
 
  private:
   int limit_;
-  std::optional<int> below_, above_;
+  std::optional<int> chosen_;
 };
 
 struct LodChoice {
@@ -39,14 +38,34 @@ struct LodChoice {
   int of_object = unknown_lod;
 };
 
+// A building's level that holds nothing but its ground plate, or what fills its openings, shows no
+// building.
+bool shows_building(const Polygon& polygon) {
+  return polygon.surface != SurfaceType::ground && polygon.surface != SurfaceType::closure &&
+         polygon.surface != SurfaceType::window && polygon.surface != SurfaceType::door;
+}
+
 LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
   std::vector<LodChooser> present(raw.spaces.size(), LodChooser(options.max_lod));
   LodChooser whole(options.max_lod);  // of spaces that can stand for the object alone
-  for (const RawPolygons::Place& p : raw.polygons.places()) {
-    if (p.lod == unknown_lod) continue;
-    present[p.space].add(p.lod);
-    if (!raw.spaces[p.space].detail) whole.add(p.lod);
-  }
+  const std::vector<RawPolygons::Place>& places = raw.polygons.places();
+  const auto add = [&](std::size_t i) {
+    if (places[i].lod == unknown_lod) return;
+    present[places[i].space].add(places[i].lod);
+    if (!raw.spaces[places[i].space].detail) whole.add(places[i].lod);
+  };
+  const auto differs = [&](const RawPolygons::Place& p) { return p.lod != places.front().lod; };
+  const bool chooses =
+      raw.object.type == ObjectType::building && std::any_of(places.begin(), places.end(), differs);
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (chooses && !shows_building(raw.polygons.polygons()[i]))
+      others.push_back(i);
+    else
+      add(i);
+  // They count where a space has nothing else.
+  std::erase_if(others, [&](std::size_t i) { return present[places[i].space].chosen(); });
+  for (const std::size_t i : others) add(i);
   LodChoice choice;
   const std::optional<int> best = whole.chosen();
   for (std::size_t i = 0; i < raw.spaces.size(); ++i) {
@@ -162,6 +181,20 @@ void make_texts_valid(CityObject& object) {
     if (!polygon.id.empty()) polygon.id = to_valid_utf8(std::move(polygon.id));
 }
 
+void compare_heights(const CityObject& object, double height_unit_m, ReadReport& report) {
+  constexpr double odd = 2.5;
+  const double measured_m = object.measured_height_m.value_or(0);
+  if (object.type != ObjectType::building || !(measured_m > 0) || object.polygons.empty()) return;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Polygon& polygon : object.polygons)
+    for (const glm::dvec3& p : polygon.exterior)
+      low = std::min(low, p.z), high = std::max(high, p.z);
+  const double ratio = (high - low) * height_unit_m / measured_m;
+  ++(ratio > odd       ? report.above_measured
+     : ratio < 1 / odd ? report.below_measured
+                       : report.as_measured);
+}
+
 }  // namespace
 
 CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report) {
@@ -206,6 +239,7 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
                                         [](const RawPolygons::Place& p) { return p.lod == 0; });
     if (lod0_alone && object.type == ObjectType::building && !find_block_height_m(object))
       object.measured_height_m = raw.named_heights.find_height_m(options.height_unit_m);
+    if (!lod0_alone) compare_heights(object, options.height_unit_m, report);
     if (lod0_alone && is_flat_building(object))
       ++(extrude_flat_building(object, options.height_unit_m) ? report.extruded : report.flat);
   }

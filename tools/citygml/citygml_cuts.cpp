@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/city/text_source.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 
@@ -41,24 +42,11 @@ std::size_t find_mark(std::string_view text, std::string_view mark, std::size_t 
   return at;
 }
 
-class TextSource : public city::ByteSource {
- public:
-  explicit TextSource(std::string_view text) : rest_(text) {}
-  std::size_t read(char* out, std::size_t size) override {
-    const std::size_t got = rest_.copy(out, size);
-    rest_.remove_prefix(got);
-    return got;
-  }
-
- private:
-  std::string_view rest_;
-};
-
 // Returns the number of elements in the root; nothing where the text is no XML, as where the first
 // member stands in a comment.
 std::optional<std::size_t> count_members(const std::string& text, const std::string& name) {
   try {
-    TextSource source(text);
+    city::TextSource source(text);
     MemberSplitter splitter(source, name, {});
     MemberBatch batch;
     std::size_t count = 0;

@@ -121,6 +121,10 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
       }
     return;
   }
+  // Writers that lost the building write its surfaces as members.
+  if (what.kind == ClassKind::surface && what.object == city::ObjectType::other)
+    skipped_.add("building of a " + std::string(element.name()) +
+                 " that is a member of its own: no windows");
   city::RawObject& raw = out.emplace_back();
   raw.object.id = find_attribute(element, "id");
   if (raw.object.id.empty()) raw.object.id = std::string(name) + "@" + std::to_string(line_);

@@ -24,13 +24,21 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-// The first line of a sequence is a value of its own, and more follows.
+// Returns whether a line begins with a feature. No other form of CityJSON has one there.
+bool begins_feature(std::string_view text) {
+  constexpr std::size_t enough = 4096;
+  const std::string_view line = text.substr(0, std::min(text.find('\n'), enough));
+  return line.starts_with('{') && line.find("\"CityJSONFeature\"") != line.npos;
+}
+
+// The first line of a sequence is a value of its own, and more follows; or it was to be one.
 bool begins_sequence(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   std::string_view start = text.substr(begin, max_first_line);
   if (start.starts_with(record_separator)) start.remove_prefix(1);
   const std::size_t end = start.find('\n');
-  return end != std::string_view::npos && !is_blank(start.substr(end)) &&
+  if (end == std::string_view::npos || is_blank(start.substr(end))) return false;
+  return begins_feature(start.substr(end + 1)) ||
          ValueEnd().find(start.substr(0, end)) != std::string_view::npos;
 }
 

@@ -30,6 +30,33 @@ std::optional<int> find_surface_depth(std::string_view type) {
   return {};
 }
 
+// Returns how many arrays the first vertex number lies in; none where there is no number.
+std::optional<int> measure_nesting(const dom::element& boundaries) {
+  dom::array array;
+  if (boundaries.get(array) != simdjson::SUCCESS)
+    return boundaries.is_number() ? std::optional(0) : std::nullopt;
+  for (const dom::element& child : array)
+    if (const auto inside = measure_nesting(child)) return *inside + 1;
+  return {};
+}
+
+// Returns the same by how deep the boundaries are nested, where a writer mistook a type for
+// another: a surface is two arrays, its rings and their vertices. Each geometry is looked at.
+[[gnu::flatten]] int correct_depth(int by_type, const dom::element& boundaries) {
+  dom::element at = boundaries;
+  dom::array array;
+  int nesting = 0;
+  for (; at.get(array) == simdjson::SUCCESS; ++nesting) {
+    const auto first = array.begin();
+    if (!(first != array.end())) {  // an empty shell says nothing
+      nesting = measure_nesting(boundaries).value_or(0);
+      break;
+    }
+    at = *first;
+  }
+  return nesting >= 3 && nesting <= 5 ? nesting - 3 : by_type;
+}
+
 // A geometry's level of detail: a number in CityJSON 1.0, a text since 1.1.
 std::optional<double> find_lod(const dom::object& geometry) {
   const auto value = find_member(geometry, "lod");
@@ -48,9 +75,10 @@ std::size_t count_at(const dom::element& boundaries, int depth) {
 }
 
 std::size_t count_its_polygons(const dom::object& geometry) {
-  const auto depth = find_surface_depth(find_text(geometry, "type"));
   const auto boundaries = find_member(geometry, "boundaries");
-  return depth && boundaries ? count_at(*boundaries, *depth) : 0;
+  if (!boundaries) return 0;
+  const auto depth = find_surface_depth(find_text(geometry, "type"));
+  return depth ? count_at(*boundaries, correct_depth(*depth, *boundaries)) : 0;
 }
 
 // Steps through an array of values that belong to others; gives null where there is none.
@@ -143,13 +171,16 @@ void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
 void GeometryReader::read_geometry(const dom::object& geometry, Context context,
                                    city::RawPolygons& out) {
   const std::string_view type = find_text(geometry, "type");
-  const auto depth = find_surface_depth(type);
   const auto boundaries = find_member(geometry, "boundaries");
   if (places_ && boundaries && type == "MultiPoint") return read_points(*boundaries);
-  if (!depth || !boundaries) {
+  const auto by_type = find_surface_depth(type);
+  if (!by_type || !boundaries) {
     skipped_.add(type.empty() ? "geometry without a type" : type);
     return;
   }
+  const int depth = correct_depth(*by_type, *boundaries);
+  if (depth != *by_type)
+    skipped_.add("type " + std::string(type) + " of a geometry that is nested otherwise");
   read_semantics(geometry, context);
   std::optional<dom::element> values;
   if (const auto semantics = find_object(geometry, "semantics"))
@@ -169,7 +200,7 @@ void GeometryReader::read_geometry(const dom::object& geometry, Context context,
   walk(*boundaries,
        {values ? &*values : nullptr, materials ? &*materials : nullptr,
         textures ? &*textures : nullptr},
-       *depth, context, out);
+       depth, context, out);
 }
 
 void GeometryReader::read_points(const dom::element& boundaries) {

@@ -4,6 +4,44 @@
 #include <charconv>
 
 namespace nightcity::cityjson {
+namespace {
+
+// Returns the length of what stands at `at` for no number; 0: none does.
+std::size_t measure_no_number(std::string_view text, std::size_t at) {
+  constexpr std::array<std::string_view, 5> words{"NaN", "nan(ind)", "nan", "Infinity", "inf"};
+  const std::size_t sign = text[at] == '-';
+  for (const std::string_view word : words)
+    if (text.substr(at + sign).starts_with(word)) return sign + word.size();
+  return 0;
+}
+
+// Puts an empty text, and blanks, in the place of each. Returns whether there was any.
+bool blank_out_no_numbers(std::string& text) {
+  bool found = false, in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') in_text = !in_text;
+    if (in_text) {
+      i += text[i] == '\\';  // what is escaped ends no text
+    } else if (const std::size_t length = measure_no_number(text, i); length > 0) {
+      text.replace(i, length, length, ' ');
+      text[i] = text[i + 1] = '"';
+      i += length - 1;
+      found = true;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+simdjson::error_code parse_text(dom::parser& parser, std::string_view text, dom::element& value) {
+  const auto error = parser.parse(text.data(), text.size(), false).get(value);
+  if (!error) return error;
+  std::string copy(text);
+  if (!blank_out_no_numbers(copy)) return error;
+  copy.resize(text.size() + simdjson::SIMDJSON_PADDING, ' ');
+  return parser.parse(copy.data(), text.size(), false).get(value);
+}
 
 std::optional<dom::element> find_member(const dom::object& object, std::string_view key) {
   dom::element value;

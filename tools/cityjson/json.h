@@ -15,6 +15,10 @@ namespace nightcity::cityjson {
 
 namespace dom = simdjson::dom;
 
+/// Parses a text behind which SIMDJSON_PADDING bytes may be read. NaN and Infinity, which are no
+/// JSON but which Python and C++ write, are empty texts, as if nothing were said.
+simdjson::error_code parse_text(dom::parser& parser, std::string_view text, dom::element& value);
+
 /// Returns the member of an object; none where the object has no such member or it is null.
 std::optional<dom::element> find_member(const dom::object& object, std::string_view key);
 std::optional<dom::object> find_object(const dom::object& object, std::string_view key);

@@ -24,7 +24,7 @@ dom::array PartParser::parse_inside(std::span<const std::string_view> parts) {
   const std::size_t size = buffer_.size();
   buffer_.resize(size + simdjson::SIMDJSON_PADDING, ' ');
   dom::element array;
-  if (const auto error = parser_.parse(buffer_.data(), size, false).get(array))
+  if (const auto error = parse_text(parser_, std::string_view(buffer_).substr(0, size), array))
     throw Error(name_, find_line(parts),
                 std::string("not JSON: ") + simdjson::error_message(error));
   return array;

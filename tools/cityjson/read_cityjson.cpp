@@ -1,9 +1,11 @@
 #include "tools/cityjson/read_cityjson.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "formats/error.h"
+#include "tools/cityjson/api_answer.h"
 #include "tools/cityjson/document_reader.h"
 #include "tools/cityjson/document_text.h"
 #include "tools/cityjson/sequence_reader.h"
@@ -17,10 +19,24 @@ std::string_view skip_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
 }
 
+// Puts the sequence that a server's answer holds in its place.
+void unwrap_answers(std::vector<city::Document>& documents, const city::ReadOptions& options,
+                    std::vector<std::string>* warnings) {
+  for (city::Document& document : documents) {
+    std::optional<ApiAnswer> answer = read_api_answer(document, options.max_member_bytes());
+    if (!answer) continue;
+    if (warnings && !answer->missing.empty())
+      warnings->push_back(document.name + ": " + answer->missing);
+    document = std::move(answer->sequence);
+  }
+}
+
 // Archives also hold metadata, schemas and code lists in JSON.
 std::vector<city::Document> list_cityjson(const std::filesystem::path& file,
+                                          const city::ReadOptions& options,
                                           std::vector<std::string>* warnings) {
   std::vector<city::Document> all = city::list_documents(file, cityjson_endings);
+  unwrap_answers(all, options, warnings);
   if (all.size() == 1) return all;
   std::vector<city::Document> documents;
   for (city::Document& document : all) {
@@ -55,7 +71,7 @@ bool begins_as_cityjson(std::string_view start) {
 city::CityHead read_cityjson_head(const std::filesystem::path& file,
                                   const city::ReadOptions& options) {
   city::CityHead head;
-  for (const city::Document& document : list_cityjson(file, nullptr)) {
+  for (const city::Document& document : list_cityjson(file, options, nullptr)) {
     const DocumentText content(document, !document.packed);
     city::CityHead one = content.is_sequence()
                              ? read_sequence_head(document, options)
@@ -81,7 +97,7 @@ city::ReadReport read_cityjson_staged(const std::filesystem::path& file,
                                       const city::ReadOptions& options,
                                       const city::ObjectStage& stage) {
   city::ReadReport report;
-  for (const city::Document& document : list_cityjson(file, &report.warnings))
+  for (const city::Document& document : list_cityjson(file, options, &report.warnings))
     report.merge(read_cityjson_document(document, !document.packed, options, stage));
   city::finish_report(file, report);
   return report;

@@ -45,7 +45,7 @@ LineReader::Lines take_line(LineReader::Lines& lines, std::size_t& at) {
 dom::element parse(dom::parser& parser, std::string_view line, const std::string& name,
                    std::size_t number) {
   dom::element value;
-  if (const auto error = parser.parse(line.data(), line.size(), false).get(value))
+  if (const auto error = parse_text(parser, line, value))
     throw Error(name, number, std::string("not JSON: ") + simdjson::error_message(error));
   return value;
 }
@@ -58,7 +58,11 @@ struct Header {
 
   void read(std::string_view line, const std::string& name, std::size_t number,
             city::SkipCounter& skipped) {
-    value = parse(parser, line, name, number);
+    if (const auto error = parse_text(parser, line, value))
+      throw Error(name, number,
+                  "the first line of a CityJSONSeq holds its CRS and transform, and this one is no "
+                  "JSON (" +
+                      std::string(simdjson::error_message(error)) + "): fetch the file again");
     const std::string where = name + ":" + std::to_string(number);
     dom::object object;
     if (value.get(object) != simdjson::SUCCESS)

@@ -1,6 +1,7 @@
 #include "tools/georeference/frame.h"
 
 #include <GeographicLib/TransverseMercator.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <mutex>
@@ -29,6 +30,21 @@ std::string first_of(std::span<const glm::dvec3> sample) {
   return text;
 }
 
+// Software that rounds coordinates as if they were metres puts the corners of a house in one place.
+std::string doubt_decimals(std::span<const glm::dvec2> degrees) {
+  constexpr std::size_t enough = 8;
+  constexpr double step = 1e-5;
+  const auto is_rounded = [](double value) {
+    return std::abs(value / step - std::round(value / step)) < 1e-6;
+  };
+  const bool all_are = std::all_of(degrees.begin(), degrees.end(), [&](const glm::dvec2& p) {
+    return is_rounded(p.x) && is_rounded(p.y);
+  });
+  if (degrees.size() < enough || !all_are) return {};
+  return "its degrees have at most five decimals, so that places are rounded to a metre or more: "
+         "write them with eight";
+}
+
 }  // namespace
 
 struct CityFrame::State {
@@ -43,6 +59,9 @@ struct CityFrame::State {
   std::string crs, description, axis_warning;
   mutable std::mutex mutex;  // a PROJ operation serves one thread at a time
 
+  void add_doubt(const std::string& doubt) {
+    if (!doubt.empty()) axis_warning += (axis_warning.empty() ? "" : "; ") + doubt;
+  }
   void place_by(std::span<const ControlPoint> points);
   void leave_stretched_grid(const glm::dvec2& centre);
   glm::dvec2 to_plane(const glm::dvec2& east_north) const;
@@ -131,6 +150,7 @@ void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definiti
       lon_lat.push_back(stretched ? stretched->to_own_lon_lat(en * unit)
                                   : source->to_metres_or_degrees(en));
     }
+    if (!stretched) add_doubt(doubt_decimals(lon_lat));
     glm::dvec2 centre = find_median(lon_lat);
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) centre = {0, 0};
     // Rounded, so that a second bake with one tile more gets the same frame.
@@ -150,8 +170,7 @@ void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definiti
   const bool placed = choice.inside && !sample.empty();
   if (placed) description += "; at " + to_text(choice.centre);
   description += "; from WGS 84: " + source->select_operation(placed ? &choice.centre : nullptr);
-  if (const std::string doubt = source->doubt(); !doubt.empty())
-    axis_warning += (axis_warning.empty() ? "" : "; ") + doubt;
+  add_doubt(source->doubt());
 }
 
 CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const glm::dvec3> sample,

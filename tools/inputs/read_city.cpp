@@ -14,8 +14,12 @@ namespace nightcity::inputs {
 namespace {
 
 const city::FileReader& find_reader(const std::filesystem::path& file, const FileFormat& format) {
+  const char* const remedy = format.kind == FileKind::scene
+                                 ? ": a model is exported as Wavefront OBJ (Blender does), a "
+                                   "finished scene is shown by nightview"
+                                 : "";
   if (!format.reader)
-    throw Error(file.string(), "is no city model but " + std::string(format.name));
+    throw Error(file.string(), "is no city model but " + std::string(format.name) + remedy);
   return *format.reader;
 }
 

@@ -5,13 +5,17 @@
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "formats/checksum.h"
 #include "formats/error.h"
 #include "tools/city/attributes.h"
+#include "tools/obj/object_kinds.h"
 
 namespace nightcity::obj {
 namespace {
@@ -34,6 +38,13 @@ void Faces::add(const Faces& other, std::size_t face) {
                   other.places.begin() + static_cast<std::ptrdiff_t>(other.ends[face]));
   ends.push_back(static_cast<std::uint32_t>(corners.size()));
   materials.push_back(other.materials[face]);
+  kinds.push_back(other.kinds[face]);
+}
+
+city::ObjectType Faces::find_common_kind() const {
+  const bool differ =
+      std::adjacent_find(kinds.begin(), kinds.end(), std::not_equal_to<>()) != kinds.end();
+  return kinds.empty() || differ ? city::ObjectType::building : kinds.front();
 }
 
 GroupReader::GroupReader(const city::Document& document, const Vertices& vertices)
@@ -96,6 +107,7 @@ void GroupReader::take_statement(std::string_view key, std::string_view rest) {
   } else if (key == "usemtl") {
     const auto known = materials_.find(std::string(city::trim(rest)));
     material_ = known == materials_.end() ? nullptr : known->second;
+    kind_ = find_material_type(city::trim(rest));
     if (material_ && material_->texture && !vertices_.keeps_texture_places)
       skipped_.add("texture (map_Kd) of usemtl");
   } else if (key == "mtllib") {
@@ -173,6 +185,7 @@ void GroupReader::read_face(std::string_view rest) {
     throw Error(lines_.name(), lines_.number(), "an object has too many faces");
   current_.ends.push_back(static_cast<std::uint32_t>(current_.corners.size()));
   current_.materials.push_back(material_);
+  current_.kinds.push_back(kind_);
 }
 
 namespace {
@@ -223,22 +236,38 @@ std::string name_by_shape(const Faces& part, const Vertices& vertices) {
 
 }  // namespace
 
-std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices) {
+namespace {
+
+// Splits the faces of one kind, or all of them.
+void split_kind(const Faces& faces, const Vertices& vertices, std::optional<city::ObjectType> kind,
+                std::vector<Faces>& parts) {
   Sets sets(vertices.places.size());
   join_same_places(vertices.places, sets);
-  const auto first_corner = [&](std::size_t face) {
-    return faces.corners[face == 0 ? 0 : faces.ends[face - 1]];
-  };
+  const auto begin_of = [&](std::size_t face) { return face == 0 ? 0 : faces.ends[face - 1]; };
   for (std::size_t face = 0; face < faces.size(); ++face)
-    for (std::size_t i = face == 0 ? 0 : faces.ends[face - 1]; i < faces.ends[face]; ++i)
-      sets.join(first_corner(face), faces.corners[i]);
-  std::vector<Faces> parts;
+    if (!kind || faces.kinds[face] == *kind)
+      for (std::size_t i = begin_of(face); i < faces.ends[face]; ++i)
+        sets.join(faces.corners[begin_of(face)], faces.corners[i]);
   std::map<std::uint32_t, std::size_t> part_of;
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    const auto [part, is_new] = part_of.try_emplace(sets.find(first_corner(face)), parts.size());
+    if (kind && faces.kinds[face] != *kind) continue;
+    const std::uint32_t set = sets.find(faces.corners[begin_of(face)]);
+    const auto [part, is_new] = part_of.try_emplace(set, parts.size());
     if (is_new) parts.emplace_back();
     parts[part->second].add(faces, face);
   }
+}
+
+}  // namespace
+
+std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices) {
+  std::vector<Faces> parts;
+  // Where nothing has a name, the ground under houses must not make one of them.
+  if (!faces.name.empty())
+    split_kind(faces, vertices, {}, parts);
+  else
+    for (const city::ObjectType kind : std::set(faces.kinds.begin(), faces.kinds.end()))
+      split_kind(faces, vertices, kind, parts);
   for (Faces& part : parts)
     part.name =
         parts.size() == 1 && !faces.name.empty() ? faces.name : name_by_shape(part, vertices);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/city/byte_source.h"
+#include "tools/city/city_model.h"
 #include "tools/city/skip_counter.h"
 #include "tools/obj/materials.h"
 #include "tools/obj/text_lines.h"
@@ -27,9 +28,12 @@ struct Faces {
   std::vector<std::uint32_t> places;       // in pictures, of each corner; empty: they are not read
   std::vector<std::uint32_t> ends;         // of each face in `corners`
   std::vector<const Material*> materials;  // of each face; null: none
+  std::vector<city::ObjectType> kinds;     // of each face, by the name of its material
 
   std::size_t size() const { return ends.size(); }
   void add(const Faces& other, std::size_t face);
+  /// Returns what the names of all materials say that it is: building where they differ.
+  city::ObjectType find_common_kind() const;
 };
 
 class GroupReader {
@@ -63,6 +67,7 @@ class GroupReader {
   std::map<std::filesystem::path, std::map<std::string, Material>> libraries_;
   std::map<std::string, const Material*> materials_;  // the latest of each name
   const Material* material_ = nullptr;
+  city::ObjectType kind_ = city::ObjectType::building;  // by the name of the material
   std::size_t seen_vertices_ = 0, seen_texture_places_ = 0, faces_ = 0;
   Faces current_;
   bool goes_on_ = false;  // a piece of the current object has been given out
@@ -72,8 +77,9 @@ class GroupReader {
 };
 
 /// Cuts faces of which the file names no parts into those that hang together: two faces that have a
-/// place in common belong to one object. In the order of their first faces. A single one has the
-/// name in `faces`, each of several a name of its own by its shape.
+/// place in common belong to one object, and, where nothing has a name, only if their materials
+/// name one kind. By their kind, then in the order of their first faces. A single one has the name
+/// in `faces`, each of several a name of its own by its shape.
 std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices);
 
 }  // namespace nightcity::obj

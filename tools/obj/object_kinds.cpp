@@ -1,8 +1,12 @@
 #include "tools/obj/object_kinds.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
+
+#include "formats/to_lower.h"
 
 namespace nightcity::obj {
 namespace {
@@ -10,7 +14,11 @@ namespace {
 using city::ObjectType;
 using std::string_view;
 
-constexpr std::array<std::pair<string_view, ObjectType>, 32> words{{
+constexpr std::array<std::pair<string_view, ObjectType>, 36> words{{
+    {"building", ObjectType::building},
+    {"buildings", ObjectType::building},
+    {"house", ObjectType::building},
+    {"houses", ObjectType::building},
     {"terrain", ObjectType::relief},
     {"dtm", ObjectType::relief},
     {"dem", ObjectType::relief},
@@ -47,7 +55,7 @@ constexpr std::array<std::pair<string_view, ObjectType>, 32> words{{
 
 }  // namespace
 
-ObjectType find_object_type(string_view name) {
+std::optional<ObjectType> find_named_type(string_view name) {
   std::string word;
   for (std::size_t i = 0; i <= name.size(); ++i) {
     const char c = i < name.size() ? name[i] : ' ';
@@ -60,7 +68,19 @@ ObjectType find_object_type(string_view name) {
       if (word == known) return type;
     word.clear();
   }
-  return ObjectType::building;
+  return {};
+}
+
+ObjectType find_material_type(string_view name) {
+  const std::string lower = to_lower(name);
+  if (lower == "ground") return ObjectType::building;  // the floor of a house may be of it
+  const auto known = std::find_if(words.begin(), words.end(),
+                                  [&](const auto& word) { return word.first == lower; });
+  return known == words.end() ? ObjectType::building : known->second;
+}
+
+ObjectType find_object_type(string_view name) {
+  return find_named_type(name).value_or(ObjectType::building);
 }
 
 }  // namespace nightcity::obj

@@ -15,6 +15,7 @@
 #include "tools/in_order.h"
 #include "tools/obj/face_pictures.h"
 #include "tools/obj/group_reader.h"
+#include "tools/obj/level_in_name.h"
 #include "tools/obj/object_kinds.h"
 #include "tools/obj/text_lines.h"
 #include "tools/obj/unit_comment.h"
@@ -75,11 +76,13 @@ city::RawObject to_raw(const Faces& faces, const Vertices& vertices, const FaceP
                        city::ReadReport& report) {
   city::RawObject raw;
   raw.object.id = faces.name;
-  raw.object.type = find_object_type(faces.name);
+  const auto named = find_named_type(faces.name);
+  raw.object.type = named.value_or(faces.find_common_kind());
   raw.object.class_name = "object";
   raw.object.continues = faces.continued;
   if (raw.object.type != city::ObjectType::building && !faces.continued)
-    ++report.assumed["kind of an object, by its name: " + std::string(name_of(raw.object.type))];
+    ++report.assumed["kind of an object, by its " + std::string(named ? "name: " : "material: ") +
+                     name_of(raw.object.type)];
   std::size_t at = 0;
   std::vector<std::uint32_t> places;  // of the polygon's vertices, in pictures
   std::int64_t pixels_left = city::max_object_pixels;
@@ -156,6 +159,26 @@ void tell_placement(const city::Document& document, const Vertices& vertices,
                               ": names no parts (o, g): faces that hang together are one building");
 }
 
+// Lists the documents of which none shows what another shows in a better level of detail.
+struct Listed {
+  std::vector<city::Document> documents;
+  std::size_t lower_levels = 0;  // that were left out
+};
+
+Listed list_best_levels(const std::filesystem::path& file, int max_lod) {
+  Listed listed;
+  std::vector<city::Document> all = city::list_documents(file, obj_endings);
+  std::vector<std::string> names;
+  for (const city::Document& document : all) names.push_back(document.name);
+  const std::vector<bool> read = find_best_levels(names, max_lod);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (read[i])
+      listed.documents.push_back(std::move(all[i]));
+    else
+      ++listed.lower_levels;
+  return listed;
+}
+
 }  // namespace
 
 bool begins_as_obj(std::string_view start) {
@@ -172,7 +195,8 @@ bool begins_as_obj(std::string_view start) {
     if (key.empty() || key.front() == '#') continue;
     double number = 0;
     if (key == "v" || key == "vt" || key == "vn") {
-      if (!take_number(line, number)) return !whole && statements > 0;
+      // Some writers give places on a picture that are no numbers.
+      if (!take_number(line, number) && key == "v") return !whole && statements > 0;
       if (++statements == 3) return true;
     } else if (key == "mtllib" || key == "o" || key == "g" || key == "usemtl" || key == "s") {
       if (key == "mtllib" && ++statements > 0) return true;
@@ -186,7 +210,7 @@ bool begins_as_obj(std::string_view start) {
 city::CityHead read_obj_head(const std::filesystem::path& file, const city::ReadOptions& options) {
   constexpr std::size_t enough = 4096;
   city::CityHead head;
-  for (const city::Document& document : city::list_documents(file, obj_endings)) {
+  for (const city::Document& document : list_best_levels(file, options.max_lod).documents) {
     const bool knows_up = options.mesh.up != city::MeshPlacement::Up::automatic;
     Vertices vertices = read_vertices(document, options, knows_up ? enough : 0);
     if (vertices.places.empty()) continue;
@@ -229,8 +253,11 @@ city::ReadReport read_obj_document(const city::Document& document, const city::R
 city::ReadReport read_obj_staged(const std::filesystem::path& file,
                                  const city::ReadOptions& options, const city::ObjectStage& stage) {
   city::ReadReport report;
-  for (const city::Document& document : city::list_documents(file, obj_endings))
+  const Listed listed = list_best_levels(file, options.max_lod);
+  for (const city::Document& document : listed.documents)
     report.merge(read_obj_document(document, options, stage));
+  if (listed.lower_levels > 0)
+    report.passed_over["Wavefront OBJ in a lower level of detail"] += listed.lower_levels;
   city::finish_report(file, report);
   return report;
 }

@@ -17,11 +17,13 @@ inline constexpr std::array<std::string_view, 1> obj_endings{".obj"};
 bool begins_as_obj(std::string_view start);
 
 /// Both read plain, gzipped and zipped files and throw Error, with file and line, where one is
-/// broken. The file names no CRS; its coordinates become E, N, H by ReadOptions::mesh. Objects or
-/// groups are buildings, unless their names say otherwise; of a file that names no parts, faces
-/// that hang together are one. Colours come from the libraries beside the file (Kd). Textures,
-/// colours of vertices, lines, points and surfaces of parameters are skipped and counted. Memory
-/// holds the vertices and one object, of a file that names no parts all faces.
+/// broken. Of an archive's documents whose names differ in a level of detail alone the best is read
+/// (level_in_name.h). The file names no CRS; its coordinates become E, N, H by ReadOptions::mesh.
+/// Objects or groups are buildings, unless their names, or those of all their materials, say
+/// otherwise; of a file that names no parts, faces that hang together are one. Colours come from
+/// the libraries beside the file (Kd). Textures, colours of vertices, lines, points and surfaces of
+/// parameters are skipped and counted. Memory holds the vertices and one object, of a file that
+/// names no parts all faces.
 city::CityHead read_obj_head(const std::filesystem::path& file,
                              const city::ReadOptions& options = {});
 city::ReadReport read_obj_staged(const std::filesystem::path& file,

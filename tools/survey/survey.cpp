@@ -180,7 +180,9 @@ void look_at_format(SurveyedFile& file) {
       return look_at_luminaire(file, format.name);
     case inputs::FileKind::scene:
     case inputs::FileKind::lights:
-      file.what = std::string(format.name) + ": a finished scene, not what one is made from";
+      file.what = std::string(format.name) +
+                  ": a finished scene, not what one is made from; a model is exported as Wavefront "
+                  "OBJ (Blender does)";
   }
 }
 

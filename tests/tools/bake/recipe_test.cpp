@@ -176,6 +176,21 @@ TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
   EXPECT_THROW(read(folder, "[city]\nfiles = ['none']\n"), Error);
 }
 
+TEST(Recipe, OfObjFilesThatDifferInTheirLevelTheBestIsBaked) {
+  const TempFolder folder;
+  for (const char* inside : {"lod1", "lod2"}) {
+    std::filesystem::create_directories(folder / "city" / inside);
+    test::write_text(folder / "city" / inside / "tile.obj", "v 0 0 0\n");
+  }
+  const auto files_at = [&](const std::string& lod) {
+    return to_bake_options(read(folder, "[city]\nfiles = ['city']\nlod = " + lod + "\n"))
+        .city.files;
+  };
+  using Files = std::vector<std::filesystem::path>;
+  EXPECT_EQ(files_at("2"), Files{folder / "city/lod2/tile.obj"});
+  EXPECT_EQ(files_at("1"), Files{folder / "city/lod1/tile.obj"});
+}
+
 TEST(Recipe, FoldersInsideAFolderAreEnteredAndHiddenOnesAreNot) {
   const TempFolder folder;
   for (const char* inside : {"udx/bldg/51", "udx/tran", "udx/.cache", "codelists"})

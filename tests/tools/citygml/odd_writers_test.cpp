@@ -1,6 +1,7 @@
 // CityGML by writers who separate numbers, order matrices and nest objects in ways of their own.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "tests/tools/citygml/read_file.h"
@@ -133,6 +134,112 @@ TEST(CityGmlOddWriters, AHoleThatEnclosesItsOutlineIsTheOutline) {
   EXPECT_TRUE(read_rings(large, small).report.assumed.empty());
   // A hole elsewhere, however large, is none.
   EXPECT_TRUE(read_rings("20 0 0 22 0 0 22 2 0 20 2 0 20 0 0", large).report.assumed.empty());
+}
+
+// Returns level squares of 1 m2 at these heights, under LoD0's two properties.
+std::string plans(const std::string& foot, const std::string& top) {
+  const auto at = [](const std::string& name, const std::string& z) {
+    const std::string list = "0 0 " + z + " 1 0 " + z + " 1 1 " + z + " 0 1 " + z + " 0 0 " + z;
+    return "<bldg:" + name + ">" + multi_surface(surface_member(polygon("", list))) +
+           "</bldg:" + name + ">";
+  };
+  return at("lod0FootPrint", foot) + at("lod0RoofEdge", top);
+}
+
+double wall_area(const city::CityObject& object) {
+  double sum = 0;
+  for (const city::Polygon& polygon : object.polygons)
+    if (polygon.surface == city::SurfaceType::wall)
+      sum += glm::length(city::area_vector(polygon.exterior));
+  return sum;
+}
+
+TEST(CityGmlOddWriters, AFootprintBelowARoofEdgeIsABlock) {
+  struct Case {
+    std::string said;
+    double height;
+  };
+  for (const Case& c :
+       {Case{"", 10}, Case{"<bldg:storeysAboveGround>2</bldg:storeysAboveGround>", 10},
+        Case{"<bldg:measuredHeight>12</bldg:measuredHeight>", 12}}) {
+    const City city = read(city_model(member_of("b", c.said + plans("15", "25"))));
+    EXPECT_EQ(city.report.extruded, 1u);
+    EXPECT_EQ(city.objects.at(0).polygons.size(), 6u);
+    EXPECT_NEAR(wall_area(city.objects[0]), 4 * c.height, 1e-9) << c.said;
+  }
+  city::ReadOptions feet;
+  feet.height_unit_m = 0.3048;
+  EXPECT_NEAR(wall_area(read(city_model(member_of("b", plans("15", "25"))), feet).objects.at(0)),
+              40, 1e-9);
+  EXPECT_EQ(read(city_model(member_of("b", plans("25", "15")))).report.flat, 1u);
+}
+
+// Footprints follow the ground, or are level but for a millimetre.
+TEST(CityGmlOddWriters, PlansThatAreNotQuiteLevelAreBlocks) {
+  struct Case {
+    std::string property, list;
+    double foot;
+  };
+  const std::string tall = "<bldg:measuredHeight>9</bldg:measuredHeight>";
+  for (const Case& c : {Case{"lod0FootPrint", "0 0 30 1 0 30.4 1 1 31 0 1 30.2 0 0 30", 30},
+                        Case{"lod0FootPrint", "0 0 30.001 1 0 30 1 1 30 0 1 30.002 0 0 30.001", 30},
+                        Case{"lod0RoofEdge", "0 0 39 1 0 39 1 1 39.5 0 1 39.5 0 0 39", 30.5}}) {
+    const City city =
+        read(city_model(member_of("b", tall + "<bldg:" + c.property + ">" +
+                                           multi_surface(surface_member(polygon("", c.list))) +
+                                           "</bldg:" + c.property + ">")));
+    EXPECT_EQ(city.report.extruded, 1u) << c.list;
+    EXPECT_NEAR(wall_area(city.objects.at(0)), 36, 1e-9) << c.list;
+    EXPECT_EQ(city.objects[0].polygons.at(0).exterior.at(0).z, c.foot) << c.list;
+  }
+  const City wall = read(city_model(member_of(
+      "b", tall + "<bldg:lod0FootPrint>" + multi_surface(surface_member(polygon("", south_wall))) +
+               "</bldg:lod0FootPrint>")));
+  EXPECT_EQ(wall.report.extruded, 0u);
+}
+
+TEST(CityGmlOddWriters, ALevelOfAGroundPlateAloneIsNoBuilding) {
+  const std::string block = "<bldg:lod1MultiSurface>" +
+                            multi_surface(surface_member(polygon("", south_wall))) +
+                            "</bldg:lod1MultiSurface>";
+  const std::string plate = boundary("GroundSurface", surface_member(polygon("", square_at_zero)));
+  const City city = read(city_model(member_of("b", plate + block)));
+  ASSERT_EQ(city.objects.at(0).polygons.size(), 1u);
+  EXPECT_EQ(city.objects[0].lod, 1);
+  EXPECT_EQ(city.report.skipped.at("polygon: lod2, another LoD taken"), 1u);
+  // A part of nothing else keeps it.
+  const City parts = read(city_model(
+      member_of("b", "<bldg:consistsOfBuildingPart><bldg:BuildingPart>" + plate +
+                         "</bldg:BuildingPart></bldg:consistsOfBuildingPart>" +
+                         boundary("WallSurface", surface_member(polygon("", south_wall))))));
+  EXPECT_EQ(parts.objects.at(0).polygons.size(), 2u);
+}
+
+TEST(CityGmlOddWriters, SurfacesWithoutTheirBuildingAreCounted) {
+  const City city =
+      read(city_model(member("<bldg:WallSurface gml:id=\"w\"><bldg:lod2MultiSurface>" +
+                             multi_surface(surface_member(polygon("", south_wall))) +
+                             "</bldg:lod2MultiSurface></bldg:WallSurface>")));
+  EXPECT_EQ(city.report.polygons, 1u);
+  EXPECT_EQ(city.report.skipped.at(
+                "building of a bldg:WallSurface that is a member of its own: no windows"),
+            1u);
+}
+
+TEST(CityGmlOddWriters, HeightsInAnotherUnitThanTheMeasuredOnesAreTold) {
+  const auto warn = [](const std::string& measured, int count) {
+    std::string members;
+    for (int i = 0; i < count; ++i)
+      members += member(building("b" + std::to_string(i),
+                                 "<bldg:measuredHeight>" + measured + "</bldg:measuredHeight>"));
+    const City city = read(city_model(members));  // unit boxes
+    return city.report.warnings.empty() ? std::string() : city.report.warnings[0];
+  };
+  EXPECT_NE(warn("0.3048", 3).find("3 of 3 buildings with a measured height are more than 2.5"),
+            std::string::npos);
+  EXPECT_NE(warn("100", 4).find("less than 0.4"), std::string::npos);
+  EXPECT_EQ(warn("1.5", 4), "");
+  EXPECT_EQ(warn("100", 2), "");  // too few to tell
 }
 
 }  // namespace

@@ -146,5 +146,45 @@ TEST(CityJsonProducers, AFeatureMayHaveATransformOfItsOwn) {
   EXPECT_NEAR(volume(city.objects.at(0)), 200.0 * 300 * 400, 1e-3);
 }
 
+TEST(CityJsonProducers, BoundariesOfAnotherTypeAreReadAsTheyAreNested) {
+  const std::string faces = std::string("[") + box_faces + "]";
+  struct Case {
+    std::string type, boundaries;
+  };
+  for (const Case& c : {Case{"Solid", faces}, Case{"MultiSurface", "[" + faces + "]"},
+                        Case{"MultiSolid", "[" + faces + "]"}, Case{"Solid", "[[" + faces + "]]"},
+                        Case{"Solid", "[[],[" + faces + "]]"}}) {
+    const City city = read_city(city_json(
+        object("b", "Building",
+               "{\"type\":\"" + c.type + "\",\"lod\":\"2\",\"boundaries\":" + c.boundaries + "}")));
+    ASSERT_EQ(city.report.polygons, 6u) << c.type << c.boundaries;
+    EXPECT_NEAR(volume(city.objects.at(0)), 24, 1e-9);
+    EXPECT_EQ(city.report.skipped.at("type " + c.type + " of a geometry that is nested otherwise"),
+              1u);
+  }
+}
+
+// Python's json.dumps and C++ write them.
+TEST(CityJsonProducers, NumbersThatAreNoneSayNothing) {
+  for (const char* number : {"NaN", "-Infinity", "nan", "-nan(ind)", "inf"}) {
+    const std::string attributes = "\"attributes\":{\"a\":" + std::string(number) +
+                                   ",\"b\":\"NaN \\\" NaN\",\"measuredHeight\":" + number + "}";
+    const City city = read_city(city_json(object("x", "Building", solid(), attributes)));
+    ASSERT_EQ(city.objects.size(), 1u) << number;
+    EXPECT_NEAR(volume(city.objects[0]), 24, 1e-9);
+    EXPECT_FALSE(city.objects[0].measured_height_m);
+    const City lines =
+        read_city(header() + feature("x", object("x", "Building", solid(), attributes)));
+    EXPECT_EQ(lines.report.polygons, 6u) << number;
+  }
+  std::string text = city_json(object("x", "Building", solid()));
+  text.replace(text.find("[0,0,0]"), 7, "[0,0,NaN]");
+  EXPECT_EQ(read_city(text).report.skipped.at("polygon: ring with coordinates that are no numbers"),
+            3u);
+  EXPECT_NE(error_of(city_json(object("x", "Building", solid(), "\"attributes\":{\"a\":NaX}")))
+                .find("not JSON"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace nightcity::cityjson

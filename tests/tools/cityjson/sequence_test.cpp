@@ -96,5 +96,42 @@ TEST(CityJsonSeq, ErrorsNameTheLine) {
   EXPECT_NE(error_of(good).find("needs a first line of type"), std::string::npos);
 }
 
+TEST(CityJsonSeq, AFirstLineThatIsCutOffIsNamed) {
+  const std::string head = header();
+  const std::string text =
+      head.substr(0, head.size() - 20) + "\n" + feature("b", object("b", "Building", solid()));
+  const std::string error = error_of(text);
+  EXPECT_NE(error.find(":1: the first line of a CityJSONSeq"), std::string::npos) << error;
+}
+
+// OGC API Features, as 3DBAG's: the header under "metadata", the features beside it.
+TEST(CityJsonSeq, AServersAnswerIsASequence) {
+  const std::string metadata = "\"metadata\":" + header();
+  const std::string one = feature("b", object("b", "Building", solid()));
+  const std::string two = feature("c", object("c", "Building", solid()));
+  EXPECT_EQ(read_city("\xEF\xBB\xBF{\"feature\":" + one + "," + metadata + "}").report.polygons,
+            6u);
+  const City item = read_city("{\"id\":\"b\",\"feature\":" + one + "," + metadata + "}");
+  ASSERT_EQ(item.objects.size(), 1u);
+  EXPECT_NEAR(volume(item.objects[0]), 24, 1e-9);
+  EXPECT_EQ(item.report.srs_name, "EPSG:7415");
+  EXPECT_TRUE(item.report.warnings.empty());
+  struct Case {
+    std::string more, words;
+  };
+  for (const Case& c :
+       {Case{",\"numberMatched\":9,\"numberReturned\":2", "incomplete: the server gave 2 of 9"},
+        Case{",\"links\":[{\"rel\":\"next\",\"href\":\"x\"}]", "one page of several"},
+        Case{",\"links\":[{\"rel\":\"self\",\"href\":\"x\"}]", ""}}) {
+    const City page = read_city("{\"type\":\"FeatureCollection\",\"features\":[" + one + "," + two +
+                                "]," + metadata + c.more + "}");
+    EXPECT_EQ(page.objects.size(), 2u);
+    ASSERT_EQ(page.report.warnings.size(), c.words.empty() ? 0u : 1u) << c.more;
+    if (!c.words.empty())
+      EXPECT_NE(page.report.warnings[0].find(c.words), std::string::npos)
+          << page.report.warnings[0];
+  }
+}
+
 }  // namespace
 }  // namespace nightcity::cityjson

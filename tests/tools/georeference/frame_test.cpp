@@ -474,5 +474,23 @@ TEST(Frame, ADefinitionOfAFileOpensNoOtherFile) {
   EXPECT_EQ(by_recipe.find("names the file"), std::string::npos) << by_recipe;
 }
 
+TEST(Frame, DegreesThatAreRoundedToAMetreAreTold) {
+  const auto rounded = [](Points points, double step) {
+    for (glm::dvec3& p : points)
+      p.x = std::round(p.x / step) * step, p.y = std::round(p.y / step) * step;
+    return points;
+  };
+  const Points house = box_rings(35.6812345678, 139.7671234567, 3, 1e-4);
+  const std::string name = "http://www.opengis.net/def/crs/EPSG/0/6697";
+  EXPECT_EQ(frame_of(name, house).axis_warning(), "");
+  EXPECT_EQ(frame_of(name, rounded(house, 1e-7)).axis_warning(), "");
+  for (const double step : {1e-3, 1e-4, 1e-5})
+    EXPECT_NE(frame_of(name, rounded(house, step)).axis_warning().find("five decimals"),
+              std::string::npos)
+        << step;
+  // Metres may well be whole.
+  EXPECT_EQ(frame_of("EPSG:25833", box_rings(391000, 5820000, 30, 10)).axis_warning(), "");
+}
+
 }  // namespace
 }  // namespace nightcity::georeference

@@ -64,8 +64,10 @@ TEST(FileFormat, ARemedyThatLeadsToAModelIsForWhoWantsOne) {
             "is an Arrow or Feather table: export it as GeoPackage or CSV (ogr2ogr)");
   EXPECT_EQ(name_foreign("Version 300\r\nCharset", ""),
             "is a MapInfo file: export it as GeoPackage or CSV (ogr2ogr)");
-  EXPECT_EQ(name_foreign("INSERT INTO lamps VALUES (1);", ""),
-            "is a dump of a database (SQL): export the table as CSV");
+  EXPECT_EQ(
+      name_foreign("INSERT INTO lamps VALUES (1);", ""),
+      "is a dump of a database (SQL): export the table as CSV; a city model has to be exported "
+      "as CityGML");
   EXPECT_EQ(name_foreign("RDX3\nX\n", ""), "is data of R: write the table as CSV (write.csv)");
   EXPECT_EQ(explain_foreign("<?xml version=\"1.0\"?><IESTM33-22><Version/></IESTM33-22>", ""),
             "is photometry in TM-33: it belongs in [[lamps.luminaires]]");
@@ -74,6 +76,35 @@ TEST(FileFormat, ARemedyThatLeadsToAModelIsForWhoWantsOne) {
   // A name that holds the word is no remedy.
   EXPECT_EQ(name_foreign("<CityGMLReport a=\"1\"/>", ""),
             "is XML of another kind: its root element is <CityGMLReport>");
+}
+
+TEST(FileFormat, RegistersMeshesAndDumpsAreNamedWithTheirRemedy) {
+  struct Case {
+    std::string bytes;
+    const char* name;
+    const char* words;
+  };
+  for (const Case& c :
+       {Case{"<AX_Bestandsdatenauszug xmlns=\"a\"/>", "", "a cadastre in NAS, not CityGML: "},
+        Case{"<xplan:XPlanAuszug xmlns:xplan=\"a\"/>", "", "XPlanGML"},
+        Case{"<vf:VymennyFormat xmlns:vf=\"a\"/>", "", "(VFR), not CityGML: "},
+        Case{"<s:bagStand xmlns:s=\"a\"/>", "", "3DBAG has the same buildings as CityJSON"},
+        Case{"<gbXML xmlns=\"a\"/>", "", "gbXML"}, Case{"<X3D/>", "", "is X3D: export it"},
+        Case{"<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"/>", "",
+             "3MF"},
+        Case{"<house/>", "", "that of CityGML is <CityModel>"},
+        Case{std::string("fcb\x01") + "fcb", "", "is FlatCityBuf: turn it into CityJSONSeq"},
+        Case{"PGDMP\x01", "", "is a dump of a PostgreSQL database: restore it"},
+        Case{"--\n-- PostgreSQL database dump\n--\n", "", "is a dump of a PostgreSQL database"},
+        Case{"OFF\n3 1 0\n", "", "is OFF: export it"},
+        Case{"3D Geometry File Format ", "", "is a Rhino file: export it"},
+        Case{std::string(84, '\0'), "a.stl", "is named as a mesh"},
+        Case{"\x08\x09", "a.dgn", "is named as a drawing: "},
+        Case{"SET search_path", "a.sql", "is named as a dump of a database: "},
+        Case{"INSERT INTO cityobject", "a.sql", "is a dump of a database (SQL): export"}}) {
+    const std::string said = city::explain_foreign(c.bytes, c.name);
+    EXPECT_NE(said.find(c.words), std::string::npos) << said;
+  }
 }
 
 TEST(FileFormat, ContentDecidesInPackedFilesToo) {

@@ -254,6 +254,31 @@ TEST(Obj, NamesSayWhatIsNoBuilding) {
   EXPECT_EQ(find_object_type(""), city::ObjectType::building);
 }
 
+// 3dfier names objects by numbers, and materials by what they are.
+TEST(Obj, MaterialsSayWhatIsNoBuildingWhereNamesDoNot) {
+  const std::string corners = "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 9 3\nv 9 9 3\n";
+  const auto types_of = [&](const std::string& faces) {
+    const City city = read_obj_text(corners + faces, with_up(city::MeshPlacement::Up::z));
+    std::string types;
+    for (const city::CityObject& object : city.objects) {
+      types += name_of(object.type);
+      types += ' ';
+    }
+    return types;
+  };
+  EXPECT_EQ(types_of("o b31\nusemtl Terrain\nf 1 2 3\no b32\nusemtl Building\nf 3 4 5 6\n"
+                     "o b33\nusemtl Water\nf 1 3 4\n"),
+            "relief building water ");
+  EXPECT_EQ(types_of("o b31\nusemtl Terrain\nf 1 2 3\nusemtl Brick\nf 3 4 5 6\n"), "building ");
+  EXPECT_EQ(types_of("o House 4\nusemtl terrain\nf 1 2 3\no x\nf 3 4 5\n"), "building relief ");
+  EXPECT_EQ(types_of("o x\nusemtl ground\nf 1 2 3\no y\nusemtl Water pipe\nf 3 4 5\n"),
+            "building building ");
+  // What hangs together is not one object where the materials are of two kinds.
+  EXPECT_EQ(types_of("usemtl Terrain\nf 1 2 3\nusemtl Building\nf 3 4 5 6\nusemtl Terrain\n"
+                     "f 1 3 4\n"),
+            "building relief ");
+}
+
 TEST(Obj, AFileThatBreaksItsFirstLineIsRecognised) {
   EXPECT_TRUE(begins_as_obj("v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   EXPECT_TRUE(begins_as_obj("v 0 \\\r\n0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"));
@@ -278,6 +303,14 @@ TEST(Obj, AFileIsRecognisedByItsStatements) {
   for (const char* text : {"", "#", "vertices 3\n", "{\"v\": 1}", "<v/>", "v x\n", "f 1 2 3\n",
                            "IESNA:LM-63-2002\n", "g\n"})
     EXPECT_FALSE(begins_as_obj(text)) << text;
+}
+
+TEST(Obj, PlacesOnAPictureThatAreNoNumbersHideNoFile) {
+  EXPECT_TRUE(begins_as_obj("o a\nvt nan -nan\nv 0 0 0\nv 1 0 0\n"));
+  EXPECT_FALSE(begins_as_obj("v as in vertex\n"));
+  const City city = read_obj_text("vt nan nan\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1/1 2/1 3/1\n",
+                                  with_up(city::MeshPlacement::Up::z));
+  EXPECT_EQ(city.report.polygons, 1u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formats/checksum.h"
+#include "tools/city/better_level.h"
 
 namespace nightcity::bake {
 namespace {
@@ -48,12 +49,6 @@ bool differ_in_lod(const ObjectVersion& a, const ObjectVersion& b) {
 }
 
 }  // namespace
-
-bool ObjectVersions::is_better(const ObjectVersion& a, const ObjectVersion& b) const {
-  const bool a_within = a.lod <= max_lod_, b_within = b.lod <= max_lod_;
-  if (a_within != b_within) return a_within;
-  return a_within ? a.lod > b.lod : a.lod < b.lod;
-}
 
 // In one file two objects may have one id and a corner in common, and still be two, unless they
 // are of different levels of detail.
@@ -121,7 +116,9 @@ const char* ObjectVersions::take(const ObjectVersion& version,
   }
   if (!differ_in_lod(*same, version))
     return same->file != version.file ? "in two files" : "twice in one file";
-  if (is_better(*same, version) || (known_ && known_->rounds >= max_rounds)) return worse;
+  if (city::is_better_level(same->lod, version.lod, max_lod_) ||
+      (known_ && known_->rounds >= max_rounds))
+    return worse;
   outdated_.emplace(make_key(*same), worse);
   forget(*same);
   keep(version);

@@ -64,7 +64,6 @@ class ObjectVersions {
 
  private:
   const ObjectVersion* find_same(const ObjectVersion& version) const;
-  bool is_better(const ObjectVersion& a, const ObjectVersion& b) const;
   void keep(const ObjectVersion& version);
   void forget(ObjectVersion version);
   void join(const ObjectVersion& whole, const std::vector<std::string>& ids);

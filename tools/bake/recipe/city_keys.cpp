@@ -94,10 +94,12 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                 "contradicts its name, a warning says what was taken."),
        control_points_key(city.frame),
        bounds_key(city.bounds),
-       integer_key("lod", city.read.max_lod, 0, 4,
-                   "The highest level of detail to use. Each object takes its highest one up to "
-                   "this, or its lowest one if all are higher. So does an object that several "
-                   "files or documents have in a level each."),
+       integer_key(
+           "lod", city.read.max_lod, 0, 4,
+           "The highest level of detail to use. Each object takes its highest one up to "
+           "this, or its lowest one if all are higher. So does an object that several "
+           "files or documents have in a level each, and of Wavefront OBJ files whose names "
+           "differ in a level alone (`-LoD12`, `-LoD22`) one is read."),
        choice_key<city::Reader>(
            "reader", city.read.reader,
            {{"stream", city::Reader::stream}, {"libcitygml", city::Reader::libcitygml}},
