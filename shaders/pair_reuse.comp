@@ -82,12 +82,12 @@ void main() {
   for (uint i = 0u; i < found; ++i) {
     const Reservoir other = FRAME.reservoirs.at[partners[i]];
     const ReflectedSample here =
-        reflected_of(other, pair_target_place(pairings[i], index));
+        reflected_of(other, pair_sample_place(pairings[i], index));
     PairTargets p;
     p.other_here = target_of(here);
     p.other_there = target_of(reflected_of(other, partners[i]));
     p.canonical_there =
-        target_of(reflected_of(canonical, pair_target_place(pairings[i], partners[i])));
+        target_of(reflected_of(canonical, pair_sample_place(pairings[i], partners[i])));
     add_light(direct, other, here, add_pair(reuse, other, p, i + 1u));
   }
   add_light(direct, canonical, own, add_canonical(reuse, canonical));

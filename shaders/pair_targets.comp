@@ -41,7 +41,7 @@ void main() {
       }
       FRAME.pair_partners.at[pair_place(pairing, index)] = partner;
       if (partner == NO_HIT) continue;
-      place = pair_target_place(pairing, index);
+      place = pair_sample_place(pairing, index);
     }
     if (!(sampled.W > 0.0)) continue;
     // The own sample is visible from here, or its W would be 0.

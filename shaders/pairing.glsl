@@ -62,7 +62,7 @@ bool uses_pairing(uint pairing, float M, float M_partner) {
   return pairing < FRAME.neighbours || lacks_history(M) || lacks_history(M_partner);
 }
 
-// Returns where FRAME.pair_partners holds a pixel's partner in a pairing. FRAME.pair_targets holds
-// the pixel's target of that partner's sample one picture further.
+// Returns where FRAME.pair_partners holds a pixel's partner in a pairing. FRAME.pair_samples holds
+// what the pixel reflects of that partner's sample one picture further.
 uint pair_place(uint pairing, uint pixel) { return pairing * pixels_of_picture() + pixel; }
-uint pair_target_place(uint pairing, uint pixel) { return pair_place(pairing + 1u, pixel); }
+uint pair_sample_place(uint pairing, uint pixel) { return pair_place(pairing + 1u, pixel); }

@@ -36,7 +36,7 @@ inline constexpr Foreign database_dump{
     leads_to_model};
 inline constexpr Foreign sql_dump{
     "is a dump of a database (SQL)",
-    "export the table as CSV; a city model has to be exported as CityGML", leads_to_model};
+    "export the table as CSV; a city model has to be exported as CityGML"};
 inline constexpr Foreign cadastre{
     "is a cadastre in NAS, not CityGML",
     "its outlines have no heights; ask the portal for the CityGML download", leads_to_model};

@@ -18,7 +18,8 @@ std::vector<glm::dvec2> find_places(const OGRGeometry* geometry);
 /// and on the origin of a grid no more than one lamp can stand.
 bool is_unfilled(const glm::dvec2& place);
 
-/// Returns the column that says in which zone of UTM each row lies ("utm_zone", "huso"); -1 without.
+/// Returns the column that says in which zone of UTM each row lies ("utm_zone", "huso"); -1
+/// without.
 int find_zone_column(OGRLayer& layer);
 
 /// Returns the zone of UTM that a row says there: 33 of "33", "33N" or "33U". A plain number under

@@ -11,8 +11,8 @@ namespace nightcity::inventory {
 /// alone, headings of several lines, cells as formulas (="13.4"), or stray marks.
 bool is_odd_csv(std::string_view start);
 
-/// Returns whether a CSV has quotation marks that neither begin nor end a cell, and are not doubled:
-/// 13°24'03.6" without marks round it, or "a 5" pole". Rows behind one would be lost.
+/// Returns whether a CSV has quotation marks that neither begin nor end a cell, and are not
+/// doubled: 13°24'03.6" without marks round it, or "a 5" pole". Rows behind one would be lost.
 bool has_stray_marks(std::string_view text);
 
 /// Takes "sep=;", comments and blank lines from the beginning of a CSV, makes tabs of the bars

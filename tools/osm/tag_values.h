@@ -43,7 +43,8 @@ std::optional<double> parse_watts(std::string_view text);
 std::string to_plain_signs(std::string_view text);
 
 /// Returns metres from "6", "6 m", "6,5", "20'", "12'6\"", "20 ft", "12 ft 6 in", "600 cm", "~6 m",
-/// "approx. 6 m", "6 m (20 ft)", the first of "6;8" or the middle of "5-7"; none from what cannot be understood.
+/// "approx. 6 m", "6 m (20 ft)", the first of "6;8" or the middle of "5-7"; none from what cannot
+/// be understood.
 std::optional<double> parse_length_m(std::string_view text);
 
 /// Returns the length that the first of these tags says from `least_m` to `greatest_m`, m.

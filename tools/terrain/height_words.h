@@ -13,8 +13,9 @@ namespace nightcity::terrain {
 bool begins_as_text(std::string_view start);
 
 /// Returns a source of the same grid or table with a number for each word among its numbers ("NA",
-/// "null", "*", "---") that stands for no height. GDAL takes such a word for a height of 0, and passes over rows that begin
-/// with a letter, so that all rows behind them move. Lines before the first number stay.
+/// "null", "*", "---") that stands for no height. GDAL takes such a word for a height of 0, and
+/// passes over rows that begin with a letter, so that all rows behind them move. Lines before the
+/// first number stay.
 std::unique_ptr<city::ByteSource> replace_height_words(std::unique_ptr<city::ByteSource> source);
 
 /// Returns whether that changes anything.
