@@ -250,6 +250,19 @@ TEST(City, AMapAmongModelsIsRefusedByName) {
       << message;
 }
 
+TEST(City, MapsGoWithTheirCity) {
+  const TempFolder folder;
+  const CityInputs inputs = two_files_and_map(folder);
+  std::weak_ptr<map_buildings::CityMaps> kept;
+  {
+    const City one(inputs, folder / "one"), other(inputs, folder / "other");
+    kept = one.inputs().read.maps;
+    EXPECT_NE(one.inputs().read.maps, other.inputs().read.maps);
+    EXPECT_FALSE(kept.expired());
+  }
+  EXPECT_TRUE(kept.expired());
+}
+
 TEST(LampStage, NotesOfLuminaireFilesReachTheReport) {
   const TempFolder folder;
   City city(two_files_and_map(folder), folder / "scratch");
