@@ -27,9 +27,8 @@ std::string find_tall_kind(const osm::OsmTags& tags) {
   constexpr std::array<std::string_view, 12> kinds{
       "chimney", "silo", "storage_tank", "gasometer",  "water_tower",          "cooling_tower",
       "tower",   "mast", "windmill",     "lighthouse", "communications_tower", "bunker_silo"};
-  const auto found = tags.find("man_made");
-  if (found == tags.end() || is_said(tags) || osm::is_lamp(tags)) return {};
-  const std::string kind = osm::normalise_tag(found->second);
+  const std::string kind = osm::find_tag(tags, "man_made");
+  if (kind.empty() || is_said(tags) || osm::is_lamp(tags)) return {};
   return std::find(kinds.begin(), kinds.end(), kind) == kinds.end() ? std::string() : kind;
 }
 
