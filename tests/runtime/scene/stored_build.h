@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +19,24 @@
 #include "runtime/scene/triangle_pieces.h"
 
 namespace nightcity::scene {
+
+// Quads, of which some are halves alone, and triangles of very different sizes.
+inline TriangleList mixed_triangles(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
+  TriangleList list;
+  while (list.size() < count) {
+    const float size = uniform(0.1f, 20);
+    const glm::vec3 a(uniform(-500, 500), uniform(0, 30), uniform(-500, 500)),
+        b = a + glm::vec3(size, 0, 0), c = a + glm::vec3(size, size, uniform(0, 1)),
+        d = a + glm::vec3(0, size, 0);
+    list.push_back({a, 0, b, 0, c, 0});
+    if (random() % 4 != 0) list.push_back({a, 0, c, 0, d, 0});
+  }
+  return list;
+}
 
 struct Built {
   hierarchy::Encoded encoded;

@@ -10,24 +10,6 @@
 namespace nightcity::scene {
 namespace {
 
-// Quads, of which some are halves alone, and triangles of very different sizes.
-TriangleList mixed_triangles(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  const auto uniform = [&](float a, float b) {
-    return a + (b - a) * float(random() >> 8) / 16777216.0f;
-  };
-  TriangleList list;
-  while (list.size() < count) {
-    const float size = uniform(0.1f, 20);
-    const glm::vec3 a(uniform(-500, 500), uniform(0, 30), uniform(-500, 500)),
-        b = a + glm::vec3(size, 0, 0), c = a + glm::vec3(size, size, uniform(0, 1)),
-        d = a + glm::vec3(0, size, 0);
-    list.push_back({a, 0, b, 0, c, 0});
-    if (random() % 4 != 0) list.push_back({a, 0, c, 0, d, 0});
-  }
-  return list;
-}
-
 TEST(StoredBvh, HasTheNodesThatTheBuilderMakes) {
   for (const std::size_t count : {1u, 4u, 5u, 300u, 200'000u})
     for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
