@@ -16,7 +16,6 @@
 #include "runtime/viewer/hands.h"
 #include "runtime/viewer/legend.h"
 #include "runtime/viewer/measured.h"
-#include "runtime/viewer/picture_names.h"
 #include "runtime/viewer/places.h"
 #include "runtime/viewer/view_choice.h"
 #include "runtime/viewer/window_settings.h"
@@ -29,7 +28,8 @@ Controller::Controller(const ViewOptions& options, Presenter& presenter, Workben
       window_(presenter.window()),
       workbench_(workbench),
       lights_(session_, workbench),
-      films_(options, session_) {
+      films_(options, session_),
+      pictures_(options, session_, workbench) {
   session_.state = make_state(options);
   stats_.device = presenter.device().label();
   stats_.trace = gpu::name_of(presenter.device().trace());
@@ -207,10 +207,7 @@ void Controller::handle_input(const glm::vec2& size) {
 
 void Controller::obey(const WindowRequests& requests) {
   obey_for_window(requests);
-  if (requests.cancel_picture) {
-    workbench_.stop_saving();
-    session_.notices.say("the picture is not saved", now_s_);
-  }
+  if (requests.cancel_picture) pictures_.cancel(now_s_);
   if (requests.compare) toggle_comparison();
   if (requests.switch_light)
     lights_.edit([](LightEdit& edit) { edit.is_off = !edit.is_off; }, now_s_);
@@ -222,7 +219,7 @@ void Controller::obey(const WindowRequests& requests) {
   if (requests.film) film();
   if (requests.stop_film) films_.stop(now_s_);
   if (requests.save_settings) save_settings();
-  if (requests.save_picture) save();
+  if (requests.save_picture) pictures_.begin(views().view, now_s_);
 }
 
 void Controller::obey_for_window(const WindowRequests& requests) {
@@ -256,7 +253,7 @@ void Controller::obey(const PanelRequests& requests) {
                          requests.preset, session_.state.settings,
                          [](const std::string&) { return false; });
   if (requests.save_settings) save_settings();
-  if (requests.save) save();
+  if (requests.save) pictures_.begin(views().view, now_s_);
   if (requests.film) film();
   if (requests.stop_film) films_.stop(now_s_);
   if (!requests.open.empty()) open(requests.open);
@@ -286,27 +283,6 @@ void Controller::film() {
 void Controller::save_settings() {
   run_errand(session_.notices, now_s_,
              [this] { return viewer::save_settings(options_.settings_file, session_.state); });
-}
-
-void Controller::save() {
-  if (workbench_.is_saving() || !workbench_.has_city()) {
-    session_.notices.say("a picture is being saved already", now_s_);
-    return;
-  }
-  workbench_.save(views().view, options_.picture);
-}
-
-void Controller::finish_saving() {
-  try {
-    const std::string sentence =
-        save_picture(find_picture_folder(options_.picture_folder),
-                     workbench_.take_saved(session_.state.settings.display));
-    session_.notices.say(sentence, now_s_);
-    spdlog::info("{}", sentence);
-  } catch (const std::exception& error) {  // a full disk is no reason to close the window
-    session_.notices.say(fmt::format("the picture is not saved: {}", error.what()), now_s_, true);
-    spdlog::error("{}", error.what());
-  }
 }
 
 }  // namespace nightcity::viewer

@@ -7,6 +7,7 @@
 #include "runtime/viewer/film_desk.h"
 #include "runtime/viewer/gamepad.h"
 #include "runtime/viewer/light_desk.h"
+#include "runtime/viewer/picture_desk.h"
 #include "runtime/viewer/presenter.h"
 #include "runtime/viewer/session.h"
 #include "runtime/viewer/viewer.h"
@@ -35,7 +36,7 @@ class Controller {
   /// Hands the panel the next events, draws it, and does what was asked for.
   void draw();
   /// Writes the picture that Workbench::Result::saved spoke of, and says where it is, or why not.
-  void finish_saving();
+  void finish_saving() { pictures_.finish(now_s_); }
   /// Looks how far a film is. Returns whether it has ended, of which there is news to show then.
   bool look_at_film() { return films_.look(now_s_); }
   bool films() const { return films_.films(); }
@@ -67,7 +68,6 @@ class Controller {
   std::string go_to_place(const std::string& text);
   void film();
   void save_settings();
-  void save();
 
   const ViewOptions& options_;
   Presenter& presenter_;
@@ -77,6 +77,7 @@ class Controller {
   FrameStats stats_;
   LightDesk lights_;
   FilmDesk films_;
+  PictureDesk pictures_;
   Gamepad gamepad_;
   std::optional<PadState> pad_;
   std::string place_text_;      // where the user asked to go last,

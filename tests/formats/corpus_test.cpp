@@ -10,6 +10,7 @@
 #include "formats/mapped_file.h"
 #include "formats/picture_mean.h"
 #include "formats/scene_reader.h"
+#include "support/corpus.h"
 #include "support/fuzz_file.h"
 #include "support/temp_folder.h"
 #include "tests/formats/light_file_checksums.h"
@@ -19,19 +20,9 @@ namespace {
 
 template <class Reader>
 void read_all(const char* folder, const Reader& reader) {
-  std::size_t files = 0, sound = 0;
   const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/formats/corpus" / folder;
-  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
-    ++files;
-    try {
-      reader(entry.path());
-      ++sound;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()), "") << entry.path();
-    }
-  }
-  EXPECT_GE(files, 3u);
-  EXPECT_GE(sound, 1u) << "a corpus of refused files alone teaches a fuzzer nothing";
+  EXPECT_GE(test::read_each_file(corpus, 3, reader).sound, 1u)
+      << "a corpus of refused files alone teaches a fuzzer nothing";
 }
 
 TEST(Corpus, EveryPictureIsReadOrRefused) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +49,6 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.read = recipe.city.read;
   inputs.read.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read.map_colours = recipe.osm.colours;
-  inputs.read.maps = std::make_shared<const std::vector<std::filesystem::path>>(inputs.maps);
   inputs.frame = recipe.city.frame;
   inputs.bounds = recipe.city.bounds;
   inputs.origin_easting = recipe.origin.easting;

@@ -4,14 +4,12 @@
 #include <array>
 #include <string>
 
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::barriers {
 namespace {
 
 using M = BarrierMaterial;
-using ground_cover::tag_of;
 
 // Sources: [O] T. R. Oke, Boundary Layer Climates, 2nd ed. (1987), table 8.2, the middle of the
 // range; [B] D. E. Bowker et al., NASA RP-1139 (1985): as scrub of the ground's table. Hues and
@@ -110,10 +108,10 @@ auto find_row(const Rows& rows, const std::string& value) {
 }
 
 bool lies_elsewhere(const osm::OsmTags& tags) {
-  const std::string tunnel = tag_of(tags, "tunnel"), layer = tag_of(tags, "layer"),
-                    level = tag_of(tags, "level"), place = tag_of(tags, "location");
+  const std::string layer = osm::find_tag(tags, "layer"), level = osm::find_tag(tags, "level"),
+                    place = osm::find_tag(tags, "location");
   // normalise_tag makes an underscore of a minus.
-  return (!tunnel.empty() && tunnel != "no") || tag_of(tags, "indoor") == "yes" ||
+  return osm::is_tagged(tags, "tunnel") || osm::find_tag(tags, "indoor") == "yes" ||
          layer.starts_with("_") || (!level.empty() && level != "0") || place == "underground" ||
          place == "indoor" || place == "roof" || place == "rooftop";
 }
@@ -133,7 +131,7 @@ template <class Rows>
 auto find_first(const Rows& rows, const osm::OsmTags& tags, const char* key)
     -> decltype(find_row(rows, std::string())) {
   for (const char* name : {key, "material"})
-    if (const auto* row = find_row(rows, tag_of(tags, name))) return row;
+    if (const auto* row = find_row(rows, osm::find_tag(tags, name))) return row;
   return nullptr;
 }
 
@@ -163,7 +161,7 @@ std::span<const BarrierKind> barrier_kinds() {
 
 std::optional<BarrierDesign> read_design(const osm::OsmTags& tags, const char*& reason) {
   // A list ("wall;fence") is the first of its kinds that is drawn.
-  const std::string all = tag_of(tags, "barrier");
+  const std::string all = osm::find_tag(tags, "barrier");
   const BarrierKind* kind = nullptr;
   for (const std::string_view part : osm::split_list(all))
     if (!kind) kind = find_row(kinds, osm::normalise_tag(part));
@@ -176,7 +174,8 @@ std::optional<BarrierDesign> read_design(const osm::OsmTags& tags, const char*& 
     reason = "below the ground, in a building or on a roof";
     return std::nullopt;
   }
-  if (std::find(strands.begin(), strands.end(), tag_of(tags, "fence_type")) != strands.end()) {
+  if (std::find(strands.begin(), strands.end(), osm::find_tag(tags, "fence_type")) !=
+      strands.end()) {
     reason = "fence of wires, thinner than a surface is worth";
     return std::nullopt;
   }

@@ -15,9 +15,9 @@
 #include "tools/barriers/obstacles.h"
 #include "tools/barriers/openings.h"
 #include "tools/ground_cover/clip_segment.h"
-#include "tools/ground_cover/way_line.h"
 #include "tools/mesh/partition.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::barriers {
 namespace {
@@ -46,7 +46,7 @@ class Builder {
     const char* reason = nullptr;
     const auto design = read_design(way.tags, reason);
     const MeasuredWay line = measure(way, to_frame_, openings_, design ? design->kind.width_m : 0);
-    kind_ = &find_kind(ground_cover::tag_of(way.tags, "barrier"));
+    kind_ = &find_kind(osm::find_tag(way.tags, "barrier"));
     ++kind_->ways;
     kind_->mapped_m += line.length_m();
     if (!design) return leave_out(reason, line.length_m());
@@ -269,7 +269,7 @@ BarrierSet find_barriers(const osm::OsmData& map, const ground_cover::Cover& cov
   // The most solid come first, then the higher and the wider ones, whatever their order in the map.
   const auto key = [](const osm::OsmWay* way) {
     const auto kinds = barrier_kinds();
-    const std::string value = ground_cover::tag_of(way->tags, "barrier");
+    const std::string value = osm::find_tag(way->tags, "barrier");
     const auto row = std::find_if(kinds.begin(), kinds.end(),
                                   [&](const BarrierKind& kind) { return kind.value == value; });
     const char* reason = nullptr;

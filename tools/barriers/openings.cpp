@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
@@ -21,7 +20,7 @@ std::optional<double> tagged_width(const osm::OsmTags& tags) {
 }
 
 double usual_width(const osm::OsmTags& tags) {
-  const std::string value = ground_cover::tag_of(tags, "barrier");
+  const std::string value = osm::find_tag(tags, "barrier");
   const bool for_vehicles =
       value == "lift_gate" || value == "swing_gate" || value == "sliding_gate";
   return for_vehicles ? vehicles_m : people_m;

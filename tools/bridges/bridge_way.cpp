@@ -6,15 +6,12 @@
 #include "formats/finite.h"
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/tracks.h"
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
 
 namespace nightcity::bridges {
 namespace {
-
-using ground_cover::tag_of;
 
 // RiZ-ING, Kap 1: a cap beside a carriageway without a pavement, from the kerb to the edge.
 constexpr double cap_m = 2.05;
@@ -52,13 +49,14 @@ std::optional<Carried> find_carried(const osm::OsmTags& tags) {
     if (ground_cover::lies_inside(tags)) return std::nullopt;
     return road->road_class->tier == roads::RoadTier::path ? Carried::path : Carried::street;
   }
-  const ground_cover::TrackKind* track = ground_cover::find_track_kind(tag_of(tags, "railway"));
+  const ground_cover::TrackKind* track =
+      ground_cover::find_track_kind(osm::find_tag(tags, "railway"));
   if (!track || !ground_cover::find_reason_to_leave_out(tags, *track).empty()) return std::nullopt;
   return Carried::rail;
 }
 
 bool is_bridge(const osm::OsmTags& tags) {
-  const std::string bridge = tag_of(tags, "bridge");
+  const std::string bridge = osm::find_tag(tags, "bridge");
   return !bridge.empty() && bridge != "no" && bridge != "boardwalk" &&
          bridge != "low_water_crossing";
 }
@@ -75,7 +73,8 @@ int read_layer(const osm::OsmTags& tags) {
 
 double find_half_width_m(const osm::OsmTags& tags, Carried kind) {
   if (kind == Carried::rail) {
-    const ground_cover::TrackKind* track = ground_cover::find_track_kind(tag_of(tags, "railway"));
+    const ground_cover::TrackKind* track =
+        ground_cover::find_track_kind(osm::find_tag(tags, "railway"));
     const ground_cover::Tracks tracks = ground_cover::read_tracks(tags, *track);
     return (ground_cover::TrackBed{}.width_m(tracks.gauges_m.back()) +
             (tracks.count - 1) * track->spacing_m) /

@@ -9,8 +9,8 @@
 #include "tools/bridges/crossed_ways.h"
 #include "tools/bridges/placed_map.h"
 #include "tools/ground_cover/measured_line.h"
-#include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::bridges {
 namespace {
@@ -24,7 +24,7 @@ constexpr double max_length_m = 60'000;
 constexpr double min_rise_m = deck_m + 0.5;
 
 bool has_contact_line(const osm::OsmTags& tags) {
-  return ground_cover::tag_of(tags, "electrified") == "contact_line";
+  return osm::find_tag(tags, "electrified") == "contact_line";
 }
 
 }  // namespace

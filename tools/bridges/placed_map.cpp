@@ -7,23 +7,23 @@
 
 #include "formats/finite.h"
 #include "tools/ground_cover/street_areas.h"
-#include "tools/ground_cover/way_line.h"
 #include "tools/line.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::bridges {
 namespace {
 
 // Squares and platforms, as areas or lines.
 bool is_square(const osm::OsmTags& tags) {
-  const std::string highway = ground_cover::tag_of(tags, "highway");
+  const std::string highway = osm::find_tag(tags, "highway");
   if (is_bridge(tags) || ground_cover::lies_inside(tags)) return false;
-  return highway == "platform" || ground_cover::tag_of(tags, "railway") == "platform" ||
+  return highway == "platform" || osm::find_tag(tags, "railway") == "platform" ||
          (!highway.empty() && osm::says_area(tags));
 }
 
 bool leads_up(const osm::OsmTags& tags) {
-  const std::string highway = ground_cover::tag_of(tags, "highway");
+  const std::string highway = osm::find_tag(tags, "highway");
   return highway == "steps" || highway == "elevator" || highway == "corridor";
 }
 

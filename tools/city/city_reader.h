@@ -16,6 +16,10 @@
 #include "tools/city/city_model.h"
 #include "tools/city/text_pieces.h"
 
+namespace nightcity::map_buildings {
+class CityMaps;
+}
+
 namespace nightcity::city {
 
 /// Counts of a file's content and of all that was not used. Silence means that nothing was lost.
@@ -97,7 +101,7 @@ struct ReadOptions {
   bool map_colours = true;     // of a map's buildings: by their tags
   /// All maps of the city, of which a file that is read may be one: a building at the edge of one
   /// may have parts that only another has. Null: it is alone.
-  std::shared_ptr<const std::vector<std::filesystem::path>> maps{};
+  std::shared_ptr<map_buildings::CityMaps> maps{};
   /// Read this piece alone, of a file that FileReader::find_cuts allows to be cut.
   std::optional<TextPiece> piece{};
 

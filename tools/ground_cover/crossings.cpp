@@ -7,7 +7,6 @@
 
 #include "formats/finite.h"
 #include "tools/ground_cover/measured_line.h"
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
@@ -18,7 +17,8 @@ constexpr double bar_m = 0.5;
 
 // Returns whether the tags of a crossing say that it has bars.
 bool says_bars(const osm::OsmTags& tags) {
-  const std::string markings = tag_of(tags, "crossing:markings"), kind = tag_of(tags, "crossing");
+  const std::string markings = osm::find_tag(tags, "crossing:markings"),
+                    kind = osm::find_tag(tags, "crossing");
   // OSM wiki, "Key:crossing:markings": a ladder is bars between two lines, and "yes" says that
   // there are markings, whose kind `crossing` may say.
   if (!markings.empty() && markings != "yes") {
@@ -29,7 +29,7 @@ bool says_bars(const osm::OsmTags& tags) {
     });
   }
   return kind == "zebra" || kind == "marked" || kind == "uncontrolled" ||
-         tag_of(tags, "crossing_ref") == "zebra";
+         osm::find_tag(tags, "crossing_ref") == "zebra";
 }
 
 // Returns whether the tags of a crossing say what is painted there, or that nothing is.
@@ -41,12 +41,13 @@ bool says_paint(const osm::OsmTags& tags) {
 }  // namespace
 
 bool is_crossing_way(const osm::OsmTags& tags) {
-  return tag_of(tags, "footway") == "crossing" || tag_of(tags, "path") == "crossing" ||
-         tag_of(tags, "cycleway") == "crossing";
+  return osm::find_tag(tags, "footway") == "crossing" ||
+         osm::find_tag(tags, "path") == "crossing" || osm::find_tag(tags, "cycleway") == "crossing";
 }
 
 bool is_marked_crossing(const osm::OsmTags& tags) {
-  const bool on_foot = tag_of(tags, "footway") == "crossing" || tag_of(tags, "path") == "crossing";
+  const bool on_foot =
+      osm::find_tag(tags, "footway") == "crossing" || osm::find_tag(tags, "path") == "crossing";
   return on_foot && says_bars(tags);
 }
 

@@ -11,6 +11,7 @@
 #include "tools/ground_cover/measured_line.h"
 #include "tools/ground_cover/painter.h"
 #include "tools/ground_cover/way_line.h"
+#include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
 #include "tools/roads/road_class.h"
 
@@ -23,7 +24,7 @@ constexpr double inside_m = 0.5;
 
 // Returns by how much the kerb of a crossing is lowered; 0: not at all.
 double find_drop_m(const osm::OsmTags& tags) {
-  const std::string kerb = tag_of(tags, "kerb");
+  const std::string kerb = osm::find_tag(tags, "kerb");
   if (kerb == "raised" || kerb == "yes" || kerb == "regular") return 0;
   if (kerb == "flush" || kerb == "no") return roads::kerb_m;
   return roads::kerb_m - lowered_kerb_m;
@@ -32,7 +33,7 @@ double find_drop_m(const osm::OsmTags& tags) {
 // Returns whether a street does not lie on the ground that a ramp would lower.
 bool is_off_ground(const osm::OsmTags& tags) {
   const auto says = [&](const char* key) {
-    const std::string value = tag_of(tags, key);
+    const std::string value = osm::find_tag(tags, key);
     return !value.empty() && value != "no" && value != "building_passage";
   };
   return says("tunnel") || says("bridge");

@@ -151,19 +151,21 @@ bool names_other_levels(const osm::OsmTags& tags) {
 
 // Below the ground, in a building or on its roof.
 bool lies_elsewhere(const osm::OsmTags& tags) {
-  const std::string tunnel = tag_of(tags, "tunnel"), place = tag_of(tags, "location"),
-                    parking = tag_of(tags, "parking");
-  return (!tunnel.empty() && tunnel != "no") || place == "underground" || place == "roof" ||
-         place == "indoor" || place == "rooftop" || tag_of(tags, "indoor") == "yes" ||
+  const std::string place = osm::find_tag(tags, "location"),
+                    parking = osm::find_tag(tags, "parking");
+  return osm::is_tagged(tags, "tunnel") || place == "underground" || place == "roof" ||
+         place == "indoor" || place == "rooftop" || osm::find_tag(tags, "indoor") == "yes" ||
          parking == "underground" || parking == "multi_storey" || parking == "rooftop" ||
-         (tag_of(tags, "amenity") == "parking" && tag_of(tags, "layer").starts_with("_")) ||
-         (tag_of(tags, "leisure") == "swimming_pool" && tag_of(tags, "covered") == "yes") ||
+         (osm::find_tag(tags, "amenity") == "parking" &&
+          osm::find_tag(tags, "layer").starts_with("_")) ||
+         (osm::find_tag(tags, "leisure") == "swimming_pool" &&
+          osm::find_tag(tags, "covered") == "yes") ||
          names_other_levels(tags);
 }
 
 // Returns the kind of a row, or the one that other tags say in more detail.
 GroundKind refine(const Row& row, const osm::OsmTags& tags) {
-  const std::string basin = tag_of(tags, "basin"), sport = tag_of(tags, "sport");
+  const std::string basin = osm::find_tag(tags, "basin"), sport = osm::find_tag(tags, "sport");
   // OSM wiki, "Key:basin": these hold water after heavy rain alone.
   if (row.kind == GroundKind::water && (basin == "detention" || basin == "infiltration"))
     return GroundKind::grass;
@@ -178,7 +180,7 @@ GroundKind refine(const Row& row, const osm::OsmTags& tags) {
 // Returns the row for what is seen of an area; null where no tag says it. Each value of a list
 // ("grass;meadow") counts, and of rows of one rank the first in the table.
 const Row* find_row(const osm::OsmTags& tags) {
-  const bool is_no_area = tag_of(tags, "area") == "no";
+  const bool is_no_area = osm::find_tag(tags, "area") == "no";
   const Row* best = nullptr;
   for (const auto& [key, value] : tags)
     for (const std::string_view part : osm::split_list(value)) {
@@ -205,7 +207,7 @@ constexpr std::array shapes{"archipelago", "arete",          "bay",      "cape",
 std::string find_unknown_ground(const osm::OsmTags& tags) {
   if (lies_elsewhere(tags) || tags.contains("building") || find_row(tags)) return {};
   for (const char* key : {"natural", "landcover"})
-    if (const std::string value = tag_of(tags, key);
+    if (const std::string value = osm::find_tag(tags, key);
         !value.empty() && value != "no" &&
         std::find(shapes.begin(), shapes.end(), value) == shapes.end())
       return std::string(key) + "=" + value;
@@ -214,10 +216,10 @@ std::string find_unknown_ground(const osm::OsmTags& tags) {
 
 // Outlines of streets: area:highway, and highway with area=yes.
 std::optional<LandUse> find_street_outline(const osm::OsmTags& tags) {
-  std::string highway = tag_of(tags, "area:highway");
+  std::string highway = osm::find_tag(tags, "area:highway");
   // A multipolygon is an area without saying so.
-  if (highway.empty() && (osm::says_area(tags) || tag_of(tags, "type") == "multipolygon"))
-    highway = tag_of(tags, "highway");
+  if (highway.empty() && (osm::says_area(tags) || osm::find_tag(tags, "type") == "multipolygon"))
+    highway = osm::find_tag(tags, "highway");
   if (highway == "traffic_island")
     return LandUse{square_rank, {surface_of(tags).value_or(GroundKind::paving_stones)}};
   if (highway == "emergency")

@@ -10,6 +10,7 @@
 #include "tools/ground_cover/stop_lines.h"
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
+#include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
 
 namespace nightcity::ground_cover {
@@ -24,7 +25,7 @@ constexpr double junction_m = 10;
 bool has_lane_lines(const roads::Carriageway& road, const osm::OsmTags& tags) {
   constexpr int lowest_rank = 4;
   return road.lanes[0] + road.lanes[1] > 1 && road.road_class->rank >= lowest_rank &&
-         tag_of(tags, "lane_markings") != "no";
+         osm::find_tag(tags, "lane_markings") != "no";
 }
 
 void add_lane_lines(const osm::OsmWay& way, const roads::Carriageway& road,

@@ -16,6 +16,7 @@
 #include "tools/ground_cover/widened_line.h"
 #include "tools/mesh/owner_finder.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -113,7 +114,7 @@ class RailAreas {
       : to_frame_(to_frame), bounds_(bounds), cover_(cover), streets_(cover) {}
 
   void add(const osm::OsmWay& way) {
-    const TrackKind* kind = find_track_kind(tag_of(way.tags, "railway"));
+    const TrackKind* kind = find_track_kind(osm::find_tag(way.tags, "railway"));
     if (!kind || osm::says_area(way.tags)) return;
     std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame_, bounds_);
     line.erase(std::unique(line.begin(), line.end()), line.end());

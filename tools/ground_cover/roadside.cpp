@@ -3,7 +3,6 @@
 #include <string>
 
 #include "tools/ground_cover/street_areas.h"
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
@@ -12,8 +11,8 @@ namespace {
 // Returns the value of a tag for one side: KEY:right, KEY:both, or KEY where it names the side.
 std::string value_at_side(const osm::OsmTags& tags, const std::string& key, const char* side) {
   for (const std::string& name : {key + ":" + side, key + ":both"})
-    if (std::string value = tag_of(tags, name.c_str()); !value.empty()) return value;
-  const std::string value = tag_of(tags, key.c_str());
+    if (std::string value = osm::find_tag(tags, name); !value.empty()) return value;
+  const std::string value = osm::find_tag(tags, key);
   if (value == "left" || value == "right") return value == side ? "yes" : "no";
   return value == "both" || value == "left;right" || value == "right;left" ? "yes" : value;
 }
@@ -38,7 +37,7 @@ bool has_cycle_track(const osm::OsmTags& tags, const char* side) {
   const std::string value = value_at_side(tags, "cycleway", side);
   // "opposite_track" names no side, unless its key does.
   return value == "track" ||
-         (value == "opposite_track" && tag_of(tags, "cycleway") != "opposite_track");
+         (value == "opposite_track" && osm::find_tag(tags, "cycleway") != "opposite_track");
 }
 
 }  // namespace

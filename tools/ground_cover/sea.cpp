@@ -16,6 +16,7 @@
 #include "tools/ground_cover/join_lines.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/in_ring.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -218,7 +219,7 @@ void add_sea(std::span<const osm::OsmWay> ways, const std::optional<osm::LonLatB
              const place::LonLatToFrame& to_frame, const Box& bounds, Cover& cover) {
   std::vector<Line> coast;
   for (const osm::OsmWay& way : ways)
-    if (tag_of(way.tags, "natural") == "coastline")
+    if (osm::find_tag(way.tags, "natural") == "coastline")
       if (Line line = find_line(way.lon_lat, to_frame, bounds); line.size() > 1)
         coast.push_back(std::move(line));
   if (coast.empty()) return;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "formats/finite.h"
-#include "tools/ground_cover/way_line.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -51,8 +51,8 @@ StopLines::Directions StopLines::find_directions(const roads::Carriageway& road,
                                                  const glm::dvec2& node, double at_m,
                                                  const osm::OsmTags& tags) const {
   const Directions driven{road.lanes[0] > 0, road.lanes[1] > 0};
-  std::string said = tag_of(tags, "traffic_signals:direction");
-  if (said.empty()) said = tag_of(tags, "direction");
+  std::string said = osm::find_tag(tags, "traffic_signals:direction");
+  if (said.empty()) said = osm::find_tag(tags, "direction");
   if (said == "forward") return {driven[0], false};
   if (said == "backward") return {false, driven[1]};
   if (said == "both") return driven;
@@ -65,14 +65,14 @@ StopLines::Directions StopLines::find_directions(const roads::Carriageway& road,
   const double ahead_m = next == junctions_m.end() ? near_m : std::min(near_m, *next - at_m),
                behind_m = next == junctions_m.begin() ? near_m : std::min(near_m, at_m - next[-1]);
   if (ahead_m != behind_m) return {ahead_m < behind_m, behind_m < ahead_m};
-  if (tag_of(tags, "highway") == "traffic_signals") return driven;
+  if (osm::find_tag(tags, "highway") == "traffic_signals") return driven;
   painter_.leave_out("stop line whose direction nothing says");
   return {false, false};
 }
 
 void StopLines::paint(const roads::Carriageway& road, const MeasuredLine& along, double at_m,
                       bool against, const osm::OsmTags& tags) const {
-  const bool crossing = tags.contains("crossing") && tag_of(tags, "crossing") != "no";
+  const bool crossing = tags.contains("crossing") && osm::find_tag(tags, "crossing") != "no";
   const double back_m = crossing ? crossing_m / 2 + before_crossing_m : 0;
   const double from_m = against ? at_m + back_m : at_m - back_m - stop_line_m;
   const double whole_m = (road.lanes[0] + road.lanes[1]) * road.lane_m(),
@@ -80,7 +80,7 @@ void StopLines::paint(const roads::Carriageway& road, const MeasuredLine& along,
   // Lanes along the way lie to its right where vehicles keep to the right.
   const bool on_right = on_the_left_ == against;
   const double right_m = road.lanes_left_m() + (on_right ? -whole_m / 2 : whole_m / 2 - width_m);
-  if (tag_of(tags, "highway") != "give_way")
+  if (osm::find_tag(tags, "highway") != "give_way")
     return painter_.add("stop line",
                         along.make_strip(from_m, from_m + stop_line_m, right_m, right_m + width_m));
   for (double s = block_gap_m / 2; s + block_m <= width_m; s += block_m + block_gap_m)

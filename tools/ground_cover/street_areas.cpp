@@ -34,7 +34,7 @@ GroundKind guess_surface(const osm::OsmTags& tags, const roads::RoadClass& road)
   const std::string_view highway = road.highway;
   if (highway == "track") {
     // OSM wiki, "Key:tracktype": 1 is sealed, 2 and 3 hold stones, 4 is mostly soft, 5 overgrown.
-    const std::string grade = tag_of(tags, "tracktype");
+    const std::string grade = osm::find_tag(tags, "tracktype");
     if (grade == "grade1") return GroundKind::asphalt;
     if (grade == "grade4") return GroundKind::soil;
     return grade == "grade5" ? GroundKind::grass : GroundKind::gravel;
@@ -65,11 +65,6 @@ bool lies_below(const osm::OsmTags& tags, const char* key) {
     below = true;
   }
   return below;
-}
-
-bool is_covered(const osm::OsmTags& tags) {
-  const std::string covered = tag_of(tags, "covered");
-  return !covered.empty() && covered != "no";
 }
 
 class StreetAreas {
@@ -133,7 +128,7 @@ class StreetAreas {
 
   // Roads for races, guided buses and runaway lorries are of no class that the table knows.
   void count_unknown(const osm::OsmTags& tags, const std::vector<glm::dvec2>& line) {
-    const std::string highway = tag_of(tags, "highway");
+    const std::string highway = osm::find_tag(tags, "highway");
     for (const char* known : {"raceway", "bus_guideway", "escape"})
       if (highway == known) cover_.left_out_m["highway=" + highway] += find_length_m(line, bounds_);
   }
@@ -142,7 +137,7 @@ class StreetAreas {
   // has them, and on any other a height would be made up.
   void count_earthworks(const osm::OsmTags& tags, const std::vector<glm::dvec2>& line) {
     for (const char* key : {"embankment", "cutting"})
-      if (const std::string value = tag_of(tags, key); !value.empty() && value != "no")
+      if (osm::is_tagged(tags, key))
         cover_.left_out_m[std::string("slopes of a street with ") + key] +=
             find_length_m(line, bounds_);
   }
@@ -246,11 +241,11 @@ class StreetAreas {
 }  // namespace
 
 bool lies_inside(const osm::OsmTags& tags) {
-  const std::string tunnel = tag_of(tags, "tunnel");
+  const std::string tunnel = osm::find_tag(tags, "tunnel");
   return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
-         tag_of(tags, "indoor") == "yes" || tag_of(tags, "highway") == "corridor" ||
-         tag_of(tags, "location") == "underground" || lies_below(tags, "level") ||
-         (lies_below(tags, "layer") && is_covered(tags));
+         osm::find_tag(tags, "indoor") == "yes" || osm::find_tag(tags, "highway") == "corridor" ||
+         osm::find_tag(tags, "location") == "underground" || lies_below(tags, "level") ||
+         (lies_below(tags, "layer") && osm::is_tagged(tags, "covered"));
 }
 
 GroundKind find_street_surface(const osm::OsmTags& tags, const roads::RoadClass& road) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
@@ -50,18 +49,9 @@ constexpr double min_gauge_mm = 300, max_gauge_mm = 2200;
 constexpr std::size_t max_gauges = 3;
 constexpr int max_tracks = 8;
 
-std::string_view raw(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string_view() : found->second;
-}
-
-bool says_yes(const std::string& value) {
-  return !value.empty() && value != "no";
-}
-
 // Returns the first number of a tag; 0 where there is none.
 double number_at(const osm::OsmTags& tags, const char* key) {
-  std::string_view text = raw(tags, key);
+  std::string_view text = osm::find_raw_tag(tags, key);
   return osm::take_number(text).value_or(0);
 }
 
@@ -81,18 +71,19 @@ std::vector<double> read_gauges_m(std::string_view text) {
 }
 
 bool is_grass_track(const osm::OsmTags& tags) {
-  return tag_of(tags, "railway:track") == "grass" || says_yes(tag_of(tags, "railway:track:grass"));
+  return osm::find_tag(tags, "railway:track") == "grass" ||
+         osm::is_tagged(tags, "railway:track:grass");
 }
 
 bool is_embedded(const osm::OsmTags& tags) {
-  return says_yes(tag_of(tags, "embedded")) || says_yes(tag_of(tags, "embedded_rails"));
+  return osm::is_tagged(tags, "embedded") || osm::is_tagged(tags, "embedded_rails");
 }
 
 std::optional<TrackBed> read_bed(const osm::OsmTags& tags) {
   if (is_embedded(tags)) return std::nullopt;
   if (is_grass_track(tags)) return TrackBed{GroundKind::grass};
   // Gravel under a track is ballast.
-  if (const auto kind = find_surface(raw(tags, "surface")))
+  if (const auto kind = find_surface(osm::find_raw_tag(tags, "surface")))
     return TrackBed{*kind == GroundKind::gravel ? GroundKind::ballast : *kind};
   return TrackBed{GroundKind::ballast, true};
 }
@@ -126,11 +117,12 @@ std::vector<double> Tracks::find_rails() const {
 
 std::string find_reason_to_leave_out(const osm::OsmTags& tags, const TrackKind& kind) {
   if (!(kind.gauge_m > 0)) return "railway=" + std::string(kind.railway);
-  const std::string tunnel = tag_of(tags, "tunnel");
-  const bool tunnelled = says_yes(tunnel) && tunnel != "building_passage",
-             covered = says_yes(tag_of(tags, "covered")) || kind.railway == "subway";
-  if (tunnelled || tag_of(tags, "indoor") == "yes" || tag_of(tags, "location") == "underground" ||
-      number_at(tags, "level") < 0 || (covered && number_at(tags, "layer") < 0))
+  const std::string tunnel = osm::find_tag(tags, "tunnel");
+  const bool tunnelled = osm::is_tagged(tags, "tunnel") && tunnel != "building_passage",
+             covered = osm::is_tagged(tags, "covered") || kind.railway == "subway";
+  if (tunnelled || osm::find_tag(tags, "indoor") == "yes" ||
+      osm::find_tag(tags, "location") == "underground" || number_at(tags, "level") < 0 ||
+      (covered && number_at(tags, "layer") < 0))
     return "tracks below ground";
   return {};
 }
@@ -138,15 +130,15 @@ std::string find_reason_to_leave_out(const osm::OsmTags& tags, const TrackKind& 
 Tracks read_tracks(const osm::OsmTags& tags, const TrackKind& kind) {
   Tracks tracks;
   tracks.kind = &kind;
-  tracks.gauges_m = read_gauges_m(raw(tags, "gauge"));
+  tracks.gauges_m = read_gauges_m(osm::find_raw_tag(tags, "gauge"));
   if (tracks.gauges_m.empty()) {
     tracks.gauges_m = {kind.gauge_m};
-    (raw(tags, "gauge").empty() ? tracks.gauge_assumed : tracks.gauge_refused) = true;
+    (osm::find_raw_tag(tags, "gauge").empty() ? tracks.gauge_assumed : tracks.gauge_refused) = true;
   }
   const double count = number_at(tags, "tracks");
   if (count >= 1 && count <= max_tracks) tracks.count = static_cast<int>(count);
   tracks.bed = read_bed(tags);
-  tracks.elevated = says_yes(tag_of(tags, "bridge")) || number_at(tags, "layer") > 0 ||
+  tracks.elevated = osm::is_tagged(tags, "bridge") || number_at(tags, "layer") > 0 ||
                     number_at(tags, "level") > 0;
   return tracks;
 }

@@ -32,24 +32,19 @@ constexpr std::array usual_widths{WidthRow{"river", 3},    WidthRow{"canal", 2},
 
 constexpr double least_width_m = 0.3, greatest_width_m = 2000;
 
-bool is_said(const osm::OsmTags& tags, const char* key) {
-  const std::string value = tag_of(tags, key);
-  return !value.empty() && value != "no";
-}
-
 // Returns why a line is not drawn; empty where it is.
 std::string find_reason_to_leave_out(const osm::OsmTags& tags) {
-  if (is_said(tags, "tunnel") || is_said(tags, "covered") ||
-      tag_of(tags, "location") == "underground")
+  if (osm::is_tagged(tags, "tunnel") || osm::is_tagged(tags, "covered") ||
+      osm::find_tag(tags, "location") == "underground")
     return "watercourse below the ground";
-  if (is_said(tags, "bridge")) return "watercourse on a bridge";
-  if (is_said(tags, "intermittent") || is_said(tags, "seasonal"))
+  if (osm::is_tagged(tags, "bridge")) return "watercourse on a bridge";
+  if (osm::is_tagged(tags, "intermittent") || osm::is_tagged(tags, "seasonal"))
     return "watercourse that is dry at times";
   return {};
 }
 
 std::optional<double> find_usual_width(const osm::OsmTags& tags) {
-  const std::string kind = tag_of(tags, "waterway");
+  const std::string kind = osm::find_tag(tags, "waterway");
   for (const WidthRow& row : usual_widths)
     if (row.waterway == kind) return row.m;
   return std::nullopt;
@@ -61,7 +56,7 @@ void add_watercourses(std::span<const osm::OsmWay> lines, const place::LonLatToF
                       const Box& bounds, Cover& cover) {
   Widener widener;
   for (const osm::OsmWay& way : lines) {
-    if (tag_of(way.tags, "natural") == "coastline") continue;  // of the sea (sea.h)
+    if (osm::find_tag(way.tags, "natural") == "coastline") continue;  // of the sea (sea.h)
     const std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame, bounds);
     const double length_m = find_length_m(line, bounds);
     if (!(length_m > 0)) continue;

@@ -3,14 +3,8 @@
 #include <algorithm>
 
 #include "formats/finite.h"
-#include "tools/osm/tag_values.h"
 
 namespace nightcity::ground_cover {
-
-std::string tag_of(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string() : osm::normalise_tag(found->second);
-}
 
 std::vector<glm::dvec2> find_line(const std::vector<glm::dvec2>& lon_lat,
                                   const place::LonLatToFrame& to_frame, const Box& bounds) {

@@ -1,4 +1,4 @@
-// Ways of a map as lines of the city's frame, and their tags.
+// Ways of a map as lines of the city's frame.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,9 +10,6 @@
 #include "tools/place/site.h"
 
 namespace nightcity::ground_cover {
-
-/// Returns the normalised value of a tag; "" where there is none.
-std::string tag_of(const osm::OsmTags& tags, const char* key);
 
 /// Returns the points of a line (longitude, latitude) in E, N, m, without those that are not
 /// finite; empty where all of it lies outside `bounds`.

@@ -231,9 +231,7 @@ class Reader {
   }
 
   static std::optional<double> number_of(const osm::OsmTags& tags, const char* key) {
-    const auto found = tags.find(key);
-    if (found == tags.end()) return {};
-    std::string_view text = found->second;
+    std::string_view text = osm::find_raw_tag(tags, key);
     return osm::take_number(text);
   }
 

@@ -185,10 +185,7 @@ std::uint64_t key(std::int64_t x, std::int64_t y) {
 }  // namespace
 
 std::optional<BuildingUse> use_from_tags(const osm::OsmTags& tags) {
-  const auto value = [&](const char* name) {
-    const auto found = tags.find(name);
-    return found == tags.end() ? std::string() : osm::normalise_tag(found->second);
-  };
+  const auto value = [&](const char* key) { return osm::find_tag(tags, key); };
   if (const auto use = look_up(buildings, value("building"))) return use;
   if (!value("shop").empty()) return retail;
   if (!value("office").empty()) return office;

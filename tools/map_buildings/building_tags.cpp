@@ -18,11 +18,6 @@ constexpr double max_height_m = 1000;  // the tallest building has 830
 constexpr double max_levels = 200;
 constexpr double least_height_m = 0.2;  // of what stands between foot and top
 
-std::string find_tag(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string() : osm::normalise_tag(found->second);
-}
-
 // Returns the greatest length in a list such as "10;12": a building is as high as its highest part.
 std::optional<double> parse_greatest_m(std::string_view text) {
   std::optional<double> greatest;
@@ -70,8 +65,8 @@ double assume_levels(const osm::OsmTags& tags) {
       {"university", 4}, {"public", 3},       {"civic", 3},          {"school", 3},
       {"church", 4},     {"cathedral", 8},    {"warehouse", 3},      {"industrial", 3},
       {"parking", 3},    {"train_station", 3}};
-  std::string kind = find_tag(tags, "building:part");
-  if (kind.empty() || kind == "yes") kind = find_tag(tags, "building");
+  std::string kind = osm::find_tag(tags, "building:part");
+  if (kind.empty() || kind == "yes") kind = osm::find_tag(tags, "building");
   const auto known = table.find(kind);
   return known == table.end() ? 2 : known->second;
 }
@@ -122,7 +117,7 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   const auto height =
       find_length(tags, {"height", "building:height", "est_height"}, notes, least_height_m);
   sizes.roof = find_roof_shape(tags, notes);
-  if (const std::string orientation = find_tag(tags, "roof:orientation"); !orientation.empty())
+  if (const std::string orientation = osm::find_tag(tags, "roof:orientation"); !orientation.empty())
     sizes.across = orientation == "across";
   sizes.direction_degrees = find_direction(tags, notes);
   if (levels && *levels >= 1) sizes.storeys = static_cast<int>(*levels);
@@ -151,7 +146,7 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
   }
   // A roof that is a canopy has no walls down to the ground.
   const bool canopy =
-      find_tag(tags, "building") == "roof" || find_tag(tags, "building:part") == "roof";
+      osm::find_tag(tags, "building") == "roof" || osm::find_tag(tags, "building:part") == "roof";
   if (canopy && sizes.foot_m == 0)
     sizes.foot_m = std::max(0.0, sizes.top_m - roof_m - least_height_m);
   const double room_m = sizes.top_m - sizes.foot_m;
@@ -197,15 +192,15 @@ osm::OsmTags inherit_height(const osm::OsmTags& part, const osm::OsmTags& buildi
 }
 
 bool is_part_alone(const osm::OsmTags& tags) {
-  const std::string part = find_tag(tags, "building:part");
-  return find_tag(tags, "building") == "no" && !part.empty() && part != "no";
+  const std::string part = osm::find_tag(tags, "building:part");
+  return osm::find_tag(tags, "building") == "no" && !part.empty() && part != "no";
 }
 
 bool is_absent(const osm::OsmTags& tags, osm::Day day) {
-  if (find_tag(tags, "location") == "underground" || has_levels_below_alone(tags)) return true;
+  if (osm::find_tag(tags, "location") == "underground" || has_levels_below_alone(tags)) return true;
   if (osm::is_gone(tags, day)) return true;
   for (const char* key : {"building", "building:part"}) {
-    const std::string value = find_tag(tags, key);
+    const std::string value = osm::find_tag(tags, key);
     if (value == "no" && is_part_alone(tags)) continue;
     for (const char* absent : {"no", "construction", "proposed", "planned", "demolished", "razed",
                                "removed", "destroyed", "dismantled", "collapsed", "ruins"})

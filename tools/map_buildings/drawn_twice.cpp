@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tools/map_buildings/building_tags.h"
+#include "tools/osm/tag_values.h"
 #include "tools/random.h"
 
 namespace nightcity::map_buildings {
@@ -49,10 +50,8 @@ Signature describe(const MapArea& area) {
   visit_corners(area, [&](const Corner& c) { signature.first.push_back(c); });
   std::sort(signature.first.begin(), signature.first.end());
   for (const char* key :
-       {"min_height", "building:min_height", "building:min_level", "layer", "level", "location"}) {
-    const auto found = area.tags.find(key);
-    signature.second += (found == area.tags.end() ? "" : found->second) + '\n';
-  }
+       {"min_height", "building:min_height", "building:min_level", "layer", "level", "location"})
+    signature.second += osm::find_raw_tag(area.tags, key) + '\n';
   return signature;
 }
 

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
-#include <mutex>
 #include <numeric>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <unordered_set>
 #include <utility>
 
@@ -30,50 +27,17 @@ std::string find_tall_kind(const osm::OsmTags& tags) {
   constexpr std::array<std::string_view, 12> kinds{
       "chimney", "silo", "storage_tank", "gasometer",  "water_tower",          "cooling_tower",
       "tower",   "mast", "windmill",     "lighthouse", "communications_tower", "bunker_silo"};
-  const auto found = tags.find("man_made");
-  if (found == tags.end() || is_said(tags) || osm::is_lamp(tags)) return {};
-  const std::string kind = osm::normalise_tag(found->second);
+  const std::string kind = osm::find_tag(tags, "man_made");
+  if (kind.empty() || is_said(tags) || osm::is_lamp(tags)) return {};
   return std::find(kinds.begin(), kinds.end(), kind) == kinds.end() ? std::string() : kind;
 }
 
-MapAreas read_areas(const std::filesystem::path& file, const city::ReadOptions& options) {
+MapAreas read_areas(const std::filesystem::path& file, int max_way_nodes) {
   const auto wants = [](const osm::OsmTags& tags) {
     return is_said(tags) || !find_tall_kind(tags).empty();
   };
   return osm::read_map_areas(file, {{"building", "building:part", "man_made"}, wants},
-                             static_cast<std::size_t>(options.max_way_nodes));
-}
-
-using Maps = std::vector<std::shared_ptr<const MapAreas>>;
-
-// Returns what tells the maps from others and from what they were before.
-std::string describe(const city::ReadOptions& options) {
-  std::string key = std::to_string(options.max_way_nodes);
-  for (const std::filesystem::path& map : *options.maps) {
-    std::error_code ignored;
-    key +=
-        '\n' + map.string() + '\n' + std::to_string(std::filesystem::file_size(map, ignored)) +
-        ' ' +
-        std::to_string(std::filesystem::last_write_time(map, ignored).time_since_epoch().count());
-  }
-  return key;
-}
-
-// Reads all maps of the city. What was read last is kept, as a bake asks for each map in turn.
-Maps read_all(const city::ReadOptions& options) {
-  static std::mutex mutex;
-  static std::string kept_key;
-  static Maps kept;
-  const std::lock_guard lock(mutex);
-  std::string key = describe(options);
-  if (key != kept_key) {
-    kept_key.clear();
-    kept.clear();
-    for (const std::filesystem::path& map : *options.maps)
-      kept.push_back(std::make_shared<const MapAreas>(read_areas(map, options)));
-    kept_key = std::move(key);
-  }
-  return kept;
+                             static_cast<std::size_t>(max_way_nodes));
 }
 
 // "building=no" beside "building:part" says that it is the part alone.
@@ -110,7 +74,7 @@ void sort_parts(FileBuildings& of) {
   of.is_own_part = std::move(is_own);
 }
 
-void add_others(const Maps& others, FileBuildings& to) {
+void add_others(const CityMaps::Areas& others, FileBuildings& to) {
   std::unordered_set<std::string> replaced, known;
   for (const auto& other : others) replaced.insert(other->replaced.begin(), other->replaced.end());
   std::erase_if(to.buildings, [&](const MapArea& area) { return replaced.contains(area.id); });
@@ -129,17 +93,30 @@ void add_others(const Maps& others, FileBuildings& to) {
 
 }  // namespace
 
+CityMaps::Areas CityMaps::read(int max_way_nodes) {
+  const std::lock_guard lock(mutex_);
+  if (max_way_nodes_ != max_way_nodes) {
+    Areas areas;
+    for (const std::filesystem::path& file : files_)
+      areas.push_back(std::make_shared<const MapAreas>(read_areas(file, max_way_nodes)));
+    areas_ = std::move(areas);
+    max_way_nodes_ = max_way_nodes;
+  }
+  return areas_;
+}
+
 FileBuildings read_file_buildings(const std::filesystem::path& file,
                                   const city::ReadOptions& options) {
   FileBuildings result;
-  const auto* maps = options.maps.get();
-  const auto at = maps ? std::find(maps->begin(), maps->end(), file) : decltype(maps->end())();
-  if (!maps || maps->size() < 2 || at == maps->end()) {
-    add_own(read_areas(file, options), result);
+  const std::vector<std::filesystem::path> alone{file};
+  const auto& maps = options.maps ? options.maps->files() : alone;
+  const auto at = std::find(maps.begin(), maps.end(), file);
+  if (maps.size() < 2 || at == maps.end()) {
+    add_own(read_areas(file, options.max_way_nodes), result);
     return result;
   }
-  Maps others = read_all(options);
-  const auto own = others.begin() + (at - maps->begin());
+  CityMaps::Areas others = options.maps->read(options.max_way_nodes);
+  const auto own = others.begin() + (at - maps.begin());
   add_own(MapAreas(**own), result);
   others.erase(own);
   add_others(others, result);

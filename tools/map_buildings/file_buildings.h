@@ -4,13 +4,37 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/city/city_reader.h"
 #include "tools/osm/map_areas.h"
 
 namespace nightcity::map_buildings {
+
+/// The maps of one city, and their buildings once these are asked for. They are kept as long as
+/// this lives, as a city asks for each map in turn, and each needs all others. The files must not
+/// change meanwhile.
+class CityMaps {
+ public:
+  using Areas = std::vector<std::shared_ptr<const osm::MapAreas>>;  // one for each file
+
+  explicit CityMaps(std::vector<std::filesystem::path> files) : files_(std::move(files)) {}
+
+  const std::vector<std::filesystem::path>& files() const { return files_; }
+  /// May be called on several threads. Throws Error: a map is missing or broken.
+  Areas read(int max_way_nodes);
+
+ private:
+  std::vector<std::filesystem::path> files_;
+  std::mutex mutex_;
+  std::optional<int> max_way_nodes_;  // that areas_ was read with
+  Areas areas_;
+};
 
 struct FileBuildings {
   /// The file's own, and behind these the ones that only other maps have: parts may lie in them.

@@ -24,6 +24,7 @@
 #include "tools/osm/days.h"
 #include "tools/osm/first_nodes.h"
 #include "tools/osm/map_areas.h"
+#include "tools/osm/tag_values.h"
 #include "tools/place/longitude.h"
 #include "tools/ring_area.h"
 #include "tools/today.h"
@@ -93,11 +94,6 @@ Outline to_outline(const MapRings& rings, const LocalPlane& plane) {
   return outline;
 }
 
-std::string find_value(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string() : found->second;
-}
-
 // Returns the year in which a building was begun, as text: of "1880..1890" the first, of "before
 // 1950" that.
 std::string find_year(const std::string& start_date) {
@@ -124,11 +120,13 @@ class ObjectMaker {
     raw.object.type = city::ObjectType::building;
     raw.object.class_name = "Building";
     raw.object.of_map = true;
-    raw.object.year = find_year(find_value(building.tags, "start_date"));
-    raw.object.address = city::to_text(city::Address{
-        find_value(building.tags, "addr:street"), find_value(building.tags, "addr:housenumber"),
-        find_value(building.tags, "addr:postcode"), find_value(building.tags, "addr:city"),
-        find_value(building.tags, "addr:country")});
+    raw.object.year = find_year(osm::find_raw_tag(building.tags, "start_date"));
+    raw.object.address =
+        city::to_text(city::Address{osm::find_raw_tag(building.tags, "addr:street"),
+                                    osm::find_raw_tag(building.tags, "addr:housenumber"),
+                                    osm::find_raw_tag(building.tags, "addr:postcode"),
+                                    osm::find_raw_tag(building.tags, "addr:city"),
+                                    osm::find_raw_tag(building.tags, "addr:country")});
     const LocalPlane plane(building.rings.front().outer.front());
     bool has_parts = false;
     for (const MapArea* part : parts) {

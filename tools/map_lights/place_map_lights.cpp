@@ -147,7 +147,7 @@ class Placer {
     lit.cct_k = pitch_cct_k;
     auto plan = plan_pitch(outline, box, ground_);
     if (!plan) return "pitch without room for masts";
-    const double wanted_lx = find_pitch_lx(find_tag(lit.source.tags, "sport"));
+    const double wanted_lx = find_pitch_lx(osm::find_raw_tag(lit.source.tags, "sport"));
     return out_.add(lit, std::move(*plan), wanted_lx, mast_radius_m)
                ? nullptr
                : "pitch that its masts cannot light";
@@ -175,7 +175,7 @@ class Placer {
   // Returns a length within its bounds; counts one that is not, or cannot be read.
   std::optional<double> read_length(const osm::OsmTags& tags, const char* key, double low,
                                     double high) {
-    const std::string text = find_tag(tags, key);
+    const std::string text = osm::find_raw_tag(tags, key);
     const auto length = osm::parse_length_m(text);
     if (length && *length >= low && *length <= high) return length;
     if (!text.empty())
@@ -233,7 +233,7 @@ class Placer {
 
   void find_roofs() {
     for (const osm::OsmWay& way : map_.buildings) {
-      const std::string building = osm::normalise_tag(find_tag(way.tags, "building"));
+      const std::string building = osm::find_tag(way.tags, "building");
       if ((building != "roof" && building != "canopy") || !is_closed(way.lon_lat)) continue;
       std::vector<glm::dvec2> outline =
           find_outline({way.id, true, way.lon_lat, {}}, ground_.to_frame);

@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "tools/osm/tag_values.h"
+
 namespace nightcity::map_lights {
 namespace {
 
@@ -64,7 +66,7 @@ glm::dvec2 SignPlacer::find_facing(const glm::dvec2& lon_lat, const SignTags& ta
 
 void SignPlacer::place(const osm::OsmShiningThing& thing, const std::vector<glm::dvec2>& outline,
                        const MapLightOptions& options) {
-  const std::string value = find_tag(thing.tags, "advertising");
+  const std::string value = osm::find_raw_tag(thing.tags, "advertising");
   const SignDefaults* kind = find_sign(value);
   if (!kind) return out_.leave_out("advertising of a kind that does not shine");
   SignTags tags = read_sign_tags(thing.tags, *kind, half_of(thing));

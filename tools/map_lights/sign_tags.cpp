@@ -34,7 +34,7 @@ class SignReader {
   }
 
  private:
-  std::string find(const char* key) const { return find_tag(tags_, key); }
+  std::string find(const char* key) const { return osm::find_raw_tag(tags_, key); }
   void count_unread(const char* key) { ++sign_.unread[std::string(key) + "=" + find(key)]; }
 
   std::optional<double> read_length(const char* key, double low, double high) {

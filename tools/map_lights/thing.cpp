@@ -24,8 +24,7 @@ constexpr std::array<std::string_view, 4> flat_artworks = {"mural", "graffiti", 
 
 bool names_one_of(const osm::OsmTags& tags, const char* key,
                   std::span<const std::string_view> words) {
-  return std::find(words.begin(), words.end(), osm::normalise_tag(find_tag(tags, key))) !=
-         words.end();
+  return std::find(words.begin(), words.end(), osm::find_tag(tags, key)) != words.end();
 }
 
 std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind,
@@ -36,7 +35,7 @@ std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind,
   for (const char* key : {"floodlit", "lit"})
     if (const auto hours = lights::read_lit_tags(tags, key, half).lit.hours) return hours;
   if (kind != MapLightKind::petrol_station) return std::nullopt;
-  const std::string opening = find_tag(tags, "opening_hours");
+  const std::string opening = osm::find_raw_tag(tags, "opening_hours");
   if (opening.empty()) return std::nullopt;
   const auto hours = lights::parse_lit_hours(opening, half);
   if (!hours) ++notes["opening hours that cannot be read"];
@@ -45,29 +44,24 @@ std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind,
 
 }  // namespace
 
-std::string find_tag(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string() : found->second;
-}
-
 bool is_flat(const osm::OsmTags& tags) {
   return names_one_of(tags, "memorial", flat_memorials) ||
          names_one_of(tags, "artwork_type", flat_artworks);
 }
 
 bool is_open_tower(const osm::OsmTags& tags) {
-  return osm::normalise_tag(find_tag(tags, "man_made")) == "mast" ||
+  return osm::find_tag(tags, "man_made") == "mast" ||
          names_one_of(tags, "tower:construction", open_towers);
 }
 
 bool is_pitch(const osm::OsmTags& tags) {
-  const std::string leisure = osm::normalise_tag(find_tag(tags, "leisure"));
+  const std::string leisure = osm::find_tag(tags, "leisure");
   return leisure == "pitch" || leisure == "track";
 }
 
 bool is_roofed(const osm::OsmTags& tags) {
-  return osm::normalise_tag(find_tag(tags, "covered")) == "yes" ||
-         (osm::is_building(tags) && osm::normalise_tag(find_tag(tags, "leisure")) != "stadium");
+  return osm::find_tag(tags, "covered") == "yes" ||
+         (osm::is_building(tags) && osm::find_tag(tags, "leisure") != "stadium");
 }
 
 lights::Half half_of(const osm::OsmShiningThing& thing) {
@@ -75,8 +69,8 @@ lights::Half half_of(const osm::OsmShiningThing& thing) {
 }
 
 std::optional<MapLightKind> find_kind(const osm::OsmTags& tags) {
-  const auto word = [&](const char* key) { return osm::normalise_tag(find_tag(tags, key)); };
-  const auto has = [&](const char* key) { return !word(key).empty() && word(key) != "no"; };
+  const auto word = [&](const char* key) { return osm::find_tag(tags, key); };
+  const auto has = [&](const char* key) { return osm::is_tagged(tags, key); };
   if (has("advertising")) return MapLightKind::advertising;
   if (word("amenity") == "fuel") return MapLightKind::petrol_station;
   if (osm::is_obstruction_light(tags)) return MapLightKind::floodlit;  // which it is not, and told

@@ -15,9 +15,6 @@
 
 namespace nightcity::map_lights {
 
-/// Returns a tag's value, "" where it is absent.
-std::string find_tag(const osm::OsmTags& tags, const char* key);
-
 /// Returns the kind of light that the tags speak of; none where they speak of none.
 std::optional<MapLightKind> find_kind(const osm::OsmTags& tags);
 

@@ -26,19 +26,18 @@ namespace nightcity::names {
 namespace {
 
 using ground_cover::Box;
-using ground_cover::tag_of;
 
 // A centreline is good enough within a metre: one looks along a street, and does not drive there.
 constexpr double tolerance_m = 1;
 
 bool is_area(const osm::OsmTags& tags) {
-  return osm::says_area(tags) || tag_of(tags, "type") == "multipolygon";
+  return osm::says_area(tags) || osm::find_tag(tags, "type") == "multipolygon";
 }
 
 bool lies_below_ground(const osm::OsmTags& tags) {
-  const std::string tunnel = tag_of(tags, "tunnel");
+  const std::string tunnel = osm::find_tag(tags, "tunnel");
   return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
-         tag_of(tags, "indoor") == "yes" || tag_of(tags, "location") == "underground";
+         osm::find_tag(tags, "indoor") == "yes" || osm::find_tag(tags, "location") == "underground";
 }
 
 // Returns a point inside a ring: its centroid, else the middle of the widest part of the line from
@@ -93,7 +92,7 @@ class Finder {
       : to_frame_(to_frame), bounds_(bounds), georeference_(georeference) {}
 
   void add_way(const osm::OsmWay& way) {
-    if (is_area(way.tags) || !roads::find_road_class(tag_of(way.tags, "highway"))) return;
+    if (is_area(way.tags) || !roads::find_road_class(osm::find_tag(way.tags, "highway"))) return;
     Lines* lines = find_lines(way.tags);
     if (!lines) return;
     for (Line& part :
@@ -126,17 +125,17 @@ class Finder {
 
   // Returns the lines of the name that the tags hold; nothing where they hold none to be found.
   Lines* find_lines(const osm::OsmTags& tags) {
-    const auto name = tags.find("name");
-    if (name == tags.end() || name->second.empty()) return nullptr;
+    const std::string& name = osm::find_raw_tag(tags, "name");
+    if (name.empty()) return nullptr;
     if (lies_below_ground(tags)) {
       ++result_.left_out["below the ground"];
       return nullptr;
     }
-    if (!is_street_name(name->second)) {
+    if (!is_street_name(name)) {
       ++result_.left_out["name of over 1020 bytes or with control characters"];
       return nullptr;
     }
-    Lines& lines = by_name_[name->second];
+    Lines& lines = by_name_[name];
     for (const auto& [key, value] : tags)
       if (is_other_name(key))
         for (const std::string_view part : osm::split_list(value)) lines.also.emplace(part);

@@ -8,11 +8,6 @@
 namespace nightcity::osm {
 namespace {
 
-std::string value_of(const OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string() : normalise_tag(found->second);
-}
-
 template <std::size_t N>
 bool is_one_of(const std::string& value, const std::array<std::string_view, N>& names) {
   return std::find(names.begin(), names.end(), value) != names.end();
@@ -59,21 +54,19 @@ bool is_lamp(const OsmTags& tags) {
 }
 
 bool is_highway(const OsmTags& tags) {
-  const std::string value = value_of(tags, "highway");
-  return !value.empty() && value != "no" && !has_one_of(tags, "highway", street_lamps);
+  return is_tagged(tags, "highway") && !has_one_of(tags, "highway", street_lamps);
 }
 
 bool is_tree(const OsmTags& tags) {
-  return value_of(tags, "natural") == "tree";
+  return find_tag(tags, "natural") == "tree";
 }
 
 bool is_tree_row(const OsmTags& tags) {
-  return value_of(tags, "natural") == "tree_row";
+  return find_tag(tags, "natural") == "tree_row";
 }
 
 bool is_gate(const OsmTags& tags) {
-  const std::string value = value_of(tags, "barrier");
-  return !value.empty() && value != "no";
+  return is_tagged(tags, "barrier");
 }
 
 bool is_barrier(const OsmTags& tags) {
@@ -90,19 +83,16 @@ bool is_obstruction_light(const OsmTags& tags) {
 }
 
 bool may_shine(const OsmTags& tags) {
-  const auto has = [&](const char* key) {
-    const std::string value = value_of(tags, key);
-    return !value.empty() && value != "no";
-  };
+  const auto has = [&](const char* key) { return is_tagged(tags, key); };
   if (is_highway(tags)) return false;
-  if (has("advertising") || has("floodlit") || value_of(tags, "amenity") == "fuel" ||
+  if (has("advertising") || has("floodlit") || find_tag(tags, "amenity") == "fuel" ||
       is_obstruction_light(tags))
     return true;
   return has("lit") &&
          (has("historic") || is_sports_ground(tags) ||
           (has_one_of(tags, "man_made", tall_things) && !is_lamp(tags)) ||
-          has_one_of(tags, "building", churches) || value_of(tags, "tourism") == "artwork" ||
-          value_of(tags, "amenity") == "place_of_worship");
+          has_one_of(tags, "building", churches) || find_tag(tags, "tourism") == "artwork" ||
+          find_tag(tags, "amenity") == "place_of_worship");
 }
 
 bool is_control(const OsmTags& tags) {
@@ -110,12 +100,11 @@ bool is_control(const OsmTags& tags) {
 }
 
 bool is_railway(const OsmTags& tags) {
-  const std::string value = value_of(tags, "railway");
-  return !value.empty() && value != "no";
+  return is_tagged(tags, "railway");
 }
 
 bool is_square(const OsmTags& tags) {
-  return value_of(tags, "place") == "square";
+  return find_tag(tags, "place") == "square";
 }
 
 bool is_crossing(const OsmTags& tags) {
@@ -123,17 +112,16 @@ bool is_crossing(const OsmTags& tags) {
 }
 
 bool is_building(const OsmTags& tags) {
-  const std::string value = value_of(tags, "building");
-  return !value.empty() && value != "no";
+  return is_tagged(tags, "building");
 }
 
 bool is_watercourse(const OsmTags& tags) {
-  return is_one_of(value_of(tags, "waterway"), watercourses) ||
-         value_of(tags, "natural") == "coastline";
+  return is_one_of(find_tag(tags, "waterway"), watercourses) ||
+         find_tag(tags, "natural") == "coastline";
 }
 
 bool says_area(const OsmTags& tags) {
-  const std::string value = value_of(tags, "area");
+  const std::string value = find_tag(tags, "area");
   return value == "yes" || value == "true" || value == "1";
 }
 

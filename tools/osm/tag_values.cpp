@@ -132,6 +132,21 @@ std::string normalise_tag(std::string_view value) {
   return result;
 }
 
+const std::string& find_raw_tag(const OsmTags& tags, const std::string& key) {
+  static const std::string none;
+  const auto found = tags.find(key);
+  return found == tags.end() ? none : found->second;
+}
+
+std::string find_tag(const OsmTags& tags, const std::string& key) {
+  return normalise_tag(find_raw_tag(tags, key));
+}
+
+bool is_tagged(const OsmTags& tags, const std::string& key) {
+  const std::string value = find_tag(tags, key);
+  return !value.empty() && value != "no";
+}
+
 std::vector<string_view> split_list(string_view text) {
   std::vector<string_view> parts;
   while (true) {

@@ -15,6 +15,12 @@ namespace nightcity::osm {
 /// and hyphens inside: "High-Pressure Sodium " becomes "high_pressure_sodium".
 std::string normalise_tag(std::string_view value);
 
+/// Returns the value of a tag as it is written, and the same normalised; "" where there is none.
+const std::string& find_raw_tag(const OsmTags& tags, const std::string& key);
+std::string find_tag(const OsmTags& tags, const std::string& key);
+/// Returns whether a tag has a value, and not "no".
+bool is_tagged(const OsmTags& tags, const std::string& key);
+
 /// Returns the parts of "a; b;c" without the blanks around them; empty parts are left out.
 std::vector<std::string_view> split_list(std::string_view text);
 

@@ -15,17 +15,12 @@ namespace {
 constexpr double max_width_m = 60;
 constexpr int max_lanes = 12, max_lanes_each_way = 6;
 
-std::string raw(const osm::OsmTags& tags, const char* key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string() : found->second;
-}
-
 bool one_of(std::string_view value, std::initializer_list<std::string_view> names) {
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-std::optional<int> count_at(const osm::OsmTags& tags, const char* key, int max) {
-  const std::string text = raw(tags, key);
+std::optional<int> count_at(const osm::OsmTags& tags, const std::string& key, int max) {
+  const std::string text = osm::find_raw_tag(tags, key);
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end == text.data() || value < 1 || value > max) return std::nullopt;
@@ -40,8 +35,8 @@ std::size_t count_parts(const std::string& text) {
 /// each ("left|through|right").
 std::optional<int> find_lanes(const osm::OsmTags& tags, const char* suffix, int max) {
   const std::string end(suffix);
-  if (const auto said = count_at(tags, ("lanes" + end).c_str(), max)) return said;
-  const std::string turns = raw(tags, ("turn:lanes" + end).c_str());
+  if (const auto said = count_at(tags, "lanes" + end, max)) return said;
+  const std::string turns = osm::find_raw_tag(tags, "turn:lanes" + end);
   const std::size_t count = count_parts(turns);
   if (turns.empty() || count > static_cast<std::size_t>(max)) return std::nullopt;
   return static_cast<int>(count);
@@ -66,10 +61,12 @@ std::optional<double> find_width_m(const osm::OsmTags& tags, double min_m) {
     return m && *m >= min_m && *m <= max_width_m;
   };
   for (const char* key : {"width:carriageway", "width", "est_width"})
-    if (const auto width = osm::parse_length_m(raw(tags, key)); is_sound(width)) return width;
-  if (const auto all = sum_widths(raw(tags, "width:lanes")); is_sound(all)) return all;
-  const auto forward = sum_widths(raw(tags, "width:lanes:forward")),
-             backward = sum_widths(raw(tags, "width:lanes:backward"));
+    if (const auto width = osm::parse_length_m(osm::find_raw_tag(tags, key)); is_sound(width))
+      return width;
+  if (const auto all = sum_widths(osm::find_raw_tag(tags, "width:lanes")); is_sound(all))
+    return all;
+  const auto forward = sum_widths(osm::find_raw_tag(tags, "width:lanes:forward")),
+             backward = sum_widths(osm::find_raw_tag(tags, "width:lanes:backward"));
   if (forward && backward && is_sound(*forward + *backward)) return *forward + *backward;
   return std::nullopt;
 }
@@ -80,7 +77,7 @@ struct Directions {
 };
 
 Directions read_directions(const osm::OsmTags& tags, const Carriageway& carriageway) {
-  const std::string oneway = osm::normalise_tag(raw(tags, "oneway"));
+  const std::string oneway = osm::find_tag(tags, "oneway");
   if (one_of(oneway, {"_1", "reverse"})) return {false, true};  // "-1", as normalise_tag leaves it
   const bool implied = carriageway.roundabout || carriageway.road_class->one_way;
   if (one_of(oneway, {"yes", "true", "1"}) || (implied && !one_of(oneway, {"no", "false", "0"})))
@@ -142,12 +139,10 @@ double Carriageway::lane_m() const {
 
 std::optional<Carriageway> read_carriageway(const osm::OsmTags& tags) {
   Carriageway carriageway;
-  carriageway.road_class = find_road_class(osm::normalise_tag(raw(tags, "highway")));
-  if (!carriageway.road_class || osm::normalise_tag(raw(tags, "footway")) == "crossing")
-    return std::nullopt;
+  carriageway.road_class = find_road_class(osm::find_tag(tags, "highway"));
+  if (!carriageway.road_class || osm::find_tag(tags, "footway") == "crossing") return std::nullopt;
   const RoadClass& road = *carriageway.road_class;
-  carriageway.roundabout =
-      one_of(osm::normalise_tag(raw(tags, "junction")), {"roundabout", "circular"});
+  carriageway.roundabout = one_of(osm::find_tag(tags, "junction"), {"roundabout", "circular"});
   const bool path = road.tier == RoadTier::path;
   const int lanes = path ? 1 : read_lanes(tags, carriageway);
   carriageway.width_m = lanes == 1 ? road.single_lane_m : lanes * road.lane_m + road.shoulder_m;

@@ -12,6 +12,7 @@
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 #include "tools/roads/carriageway.h"
 
 namespace nightcity::steps {
@@ -19,7 +20,6 @@ namespace {
 
 using ground_cover::Box;
 using ground_cover::MeasuredLine;
-using ground_cover::tag_of;
 
 // Places are asked this far apart, m.
 constexpr double step_m = 0.25;
@@ -36,7 +36,7 @@ constexpr double min_slope = 0.05;
 constexpr double max_length_m = 1e6;
 
 std::optional<int> read_count(const osm::OsmTags& tags) {
-  const std::string text = tag_of(tags, "step_count");
+  const std::string text = osm::find_tag(tags, "step_count");
   int count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   constexpr int most = 2000;
@@ -46,7 +46,7 @@ std::optional<int> read_count(const osm::OsmTags& tags) {
 
 // Returns 1 where the way goes up, -1 where it goes down, 0 where no tag says.
 int read_incline(const osm::OsmTags& tags) {
-  const std::string text = tag_of(tags, "incline");
+  const std::string text = osm::find_tag(tags, "incline");
   if (text == "up") return 1;
   if (text == "down" || text.starts_with('-') || text.starts_with('_')) return -1;
   return !text.empty() && text.front() >= '1' && text.front() <= '9' ? 1 : 0;
@@ -63,7 +63,7 @@ class Builder {
         inside_(inside) {}
 
   void add(const osm::OsmWay& way) {
-    if (tag_of(way.tags, "highway") != "steps" || osm::says_area(way.tags)) return;
+    if (osm::find_tag(way.tags, "highway") != "steps" || osm::says_area(way.tags)) return;
     if (ground_cover::lies_inside(way.tags)) return;  // counted with the streets
     const std::vector<glm::dvec2> line = ground_cover::find_line(way.lon_lat, to_frame_, bounds_);
     if (line.size() < 2) return;

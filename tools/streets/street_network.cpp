@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/line.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::streets {
 namespace {
@@ -86,8 +87,7 @@ class NetworkBuilder {
            const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
     Street fresh;
     fresh.road = road;
-    const auto name = way.tags.find("name");
-    if (name != way.tags.end()) fresh.name = name->second;
+    fresh.name = osm::find_raw_tag(way.tags, "name");
     Run run{fresh, {}, {}};
     double on_way = 0;
     const auto finish = [&](const NodeKey& key) {

@@ -13,14 +13,11 @@ namespace {
 // Puts models that are clearly finer before others. Tiles of one survey in two CRSs are not equally
 // fine to the last digit, and keep their order.
 void put_finest_first(std::vector<ElevationModel>& models) {
-  std::vector<double> steps;
-  for (const ElevationModel& model : models) steps.push_back(model.resolution_m());
-  std::sort(steps.begin(), steps.end());
-  std::vector<double> classes;  // the finest of each
-  for (const double step : steps)
-    if (classes.empty() || step > clearly_coarser * classes.back()) classes.push_back(step);
+  const std::vector<ResolutionClass> classes = find_resolution_classes(models);
   const auto class_of = [&](const ElevationModel& model) {
-    return std::upper_bound(classes.begin(), classes.end(), model.resolution_m());
+    return std::upper_bound(
+        classes.begin(), classes.end(), model.resolution_m(),
+        [](double step_m, const ResolutionClass& each) { return step_m < each.step_m; });
   };
   std::stable_sort(
       models.begin(), models.end(),
@@ -51,6 +48,20 @@ void open_rasters(const std::vector<RasterFile>& rasters, const ElevationOptions
 }
 
 }  // namespace
+
+std::vector<ResolutionClass> find_resolution_classes(std::span<const ElevationModel> models) {
+  constexpr double clearly_coarser = 1.5;
+  std::vector<double> steps_m;
+  for (const ElevationModel& model : models) steps_m.push_back(model.resolution_m());
+  std::sort(steps_m.begin(), steps_m.end());
+  std::vector<ResolutionClass> classes;
+  for (std::size_t i = 0; i < steps_m.size(); ++i) {
+    if (classes.empty() || steps_m[i] > clearly_coarser * classes.back().step_m)
+      classes.push_back({i, i, steps_m[i]});
+    classes.back().end = i + 1;
+  }
+  return classes;
+}
 
 std::vector<ElevationModel> open_elevation_models(const std::vector<std::filesystem::path>& files,
                                                   const ElevationOptions& options) {

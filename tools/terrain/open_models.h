@@ -1,7 +1,9 @@
 // Elevation models in files, archives and gzip streams.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,8 +18,14 @@ struct ElevationOptions {
   std::string crs_without;  // the CRS of rasters that name none; "": they stay without
 };
 
-/// Models whose heights are farther apart than by this factor are clearly coarser, and come later.
-constexpr double clearly_coarser = 1.5;
+/// About equally fine models, such as the tiles of one survey.
+struct ResolutionClass {
+  std::size_t begin = 0, end = 0;  // of the models, in the order of open_elevation_models
+  double step_m = 0;               // least distance of neighbouring heights
+};
+
+/// Returns the classes of models, in any order, the finest class first.
+std::vector<ResolutionClass> find_resolution_classes(std::span<const ElevationModel> models);
 
 /// Opens rasters of heights: of a .zip all that are in it, with what belongs to them (.tfw, .prj,
 /// .hdr, ...), of a .gz the one. They are unpacked into the temporary folder. Those that are

@@ -15,15 +15,6 @@ namespace {
 constexpr double kmh = 1 / 3.6;
 constexpr double mile_km = 1.609344;
 
-std::string raw(const osm::OsmWay& way, const char* key) {
-  const auto found = way.tags.find(key);
-  return found == way.tags.end() ? std::string() : found->second;
-}
-
-std::string tag(const osm::OsmWay& way, const char* key) {
-  return osm::normalise_tag(raw(way, key));
-}
-
 bool one_of(std::string_view value, std::initializer_list<std::string_view> names) {
   return std::find(names.begin(), names.end(), value) != names.end();
 }
@@ -38,7 +29,7 @@ std::optional<int> whole(const std::string& text, int min, int max) {
 /// Returns whether the public may not drive here: the most specific of the access tags decides.
 bool is_closed(const osm::OsmWay& way) {
   for (const char* key : {"motorcar", "motor_vehicle", "vehicle", "access"})
-    if (const std::string value = tag(way, key); !value.empty())
+    if (const std::string value = osm::find_tag(way.tags, key); !value.empty())
       return one_of(value, {"no", "private", "agricultural", "forestry", "delivery", "emergency",
                             "military"});
   return false;
@@ -48,20 +39,22 @@ std::string reason_against(const osm::OsmWay& way) {
   if (is_closed(way)) return "no access";
   if (osm::is_out_of_use(way.tags, today())) return "disused";
   if (osm::says_area(way.tags)) return "area";
-  if (tag(way, "highway") == "service" && !one_of(tag(way, "service"), {"", "alley"}))
+  if (osm::find_tag(way.tags, "highway") == "service" &&
+      !one_of(osm::find_tag(way.tags, "service"), {"", "alley"}))
     return "driveway or aisle";
-  if (one_of(tag(way, "tunnel"), {"building_passage"}) || one_of(tag(way, "covered"), {"yes"}) ||
-      one_of(tag(way, "indoor"), {"yes"}))
+  if (one_of(osm::find_tag(way.tags, "tunnel"), {"building_passage"}) ||
+      one_of(osm::find_tag(way.tags, "covered"), {"yes"}) ||
+      one_of(osm::find_tag(way.tags, "indoor"), {"yes"}))
     return "through a building";
   return {};
 }
 
 void read_speed(const osm::OsmWay& way, const Country& country, Drivable& result) {
   const double unsigned_limit = default_speed_kmh(*result.carriageway.road_class, country);
-  const auto both = parse_speed_kmh(raw(way, "maxspeed"));
+  const auto both = parse_speed_kmh(osm::find_raw_tag(way.tags, "maxspeed"));
   const char* const keys[] = {"maxspeed:forward", "maxspeed:backward"};
   for (std::size_t d = 0; d < 2; ++d) {
-    auto limit = parse_speed_kmh(raw(way, keys[d]));
+    auto limit = parse_speed_kmh(osm::find_raw_tag(way.tags, keys[d]));
     if (!limit) limit = both;
     result.speed_m_s[d] = limit.value_or(unsigned_limit) * kmh;
   }
@@ -111,7 +104,7 @@ std::optional<double> parse_speed_kmh(std::string_view text) {
 std::optional<Drivable> read_drivable(const osm::OsmWay& way, const Country& country,
                                       std::string& why) {
   Drivable result;
-  result.traffic = find_traffic_class(tag(way, "highway"));
+  result.traffic = find_traffic_class(osm::find_tag(way.tags, "highway"));
   const auto carriageway = roads::read_carriageway(way.tags);
   if (!result.traffic || !carriageway) {
     why = "not for motor vehicles";
@@ -121,9 +114,9 @@ std::optional<Drivable> read_drivable(const osm::OsmWay& way, const Country& cou
   if (!why.empty()) return std::nullopt;
   result.carriageway = *carriageway;
   read_speed(way, country, result);
-  result.bridge = !one_of(tag(way, "bridge"), {"", "no"});
-  result.structure = result.bridge || !one_of(tag(way, "tunnel"), {"", "no"});
-  const std::string layer = raw(way, "layer");
+  result.bridge = osm::is_tagged(way.tags, "bridge");
+  result.structure = result.bridge || osm::is_tagged(way.tags, "tunnel");
+  const std::string layer = osm::find_raw_tag(way.tags, "layer");
   if (const auto value = whole(layer, -5, 5)) result.layer = *value;
   return result;
 }

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "formats/finite.h"
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
 #include "tools/place/place_grid.h"
 #include "tools/random.h"
@@ -126,7 +125,7 @@ class Planter {
     box = {glm::max(box.low, bounds.low), glm::min(box.high, bounds.high)};
     const osm::OsmTags none;
     const osm::OsmTags& tags = wood.tags ? *wood.tags : none;
-    const bool is_mixed = ground_cover::tag_of(tags, "leaf_type") == "mixed";
+    const bool is_mixed = osm::find_tag(tags, "leaf_type") == "mixed";
     KnownSize known = read_tree_tags(tags);
     known.crown_m.reset();
     const auto mean_m = known.height_m;

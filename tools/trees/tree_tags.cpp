@@ -4,30 +4,22 @@
 #include <string>
 #include <string_view>
 
-#include "tools/ground_cover/way_line.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::trees {
 namespace {
 
-using ground_cover::tag_of;
-
-std::string text_of(const osm::OsmTags& tags, const std::string& key) {
-  const auto found = tags.find(key);
-  return found == tags.end() ? std::string() : found->second;
-}
-
 std::optional<LeafHabit> find_named_habit(const osm::OsmTags& tags) {
   // A species says more than a genus, and a scientific name more than a common one.
   for (const char* key : {"species", "taxon", "taxon:species", "genus", "taxon:genus"})
-    if (const auto habit = find_leaf_habit(text_of(tags, key))) return habit;
+    if (const auto habit = find_leaf_habit(osm::find_raw_tag(tags, key))) return habit;
   for (const std::string_view key : {"species:", "taxon:", "genus:"})
     for (auto tag = tags.lower_bound(std::string(key));
          tag != tags.end() && tag->first.starts_with(key); ++tag)
       if (const auto habit = find_leaf_habit(tag->second)) return habit;
   // OSM wiki, "Key:wood" and "Tag:natural=tree": older tags for the habit.
   for (const char* key : {"wood", "type"}) {
-    const std::string value = tag_of(tags, key);
+    const std::string value = osm::find_tag(tags, key);
     if (value == "evergreen") return LeafHabit{false, true};
     if (value == "palm") return LeafHabit{false, true};
     if (const auto habit = find_leaf_habit(value)) return habit;
@@ -37,7 +29,8 @@ std::optional<LeafHabit> find_named_habit(const osm::OsmTags& tags) {
 
 // Tags of leaves come before what the species says of them.
 LeafHabit read_habit(const osm::OsmTags& tags) {
-  const std::string type = tag_of(tags, "leaf_type"), cycle = tag_of(tags, "leaf_cycle");
+  const std::string type = osm::find_tag(tags, "leaf_type"),
+                    cycle = osm::find_tag(tags, "leaf_cycle");
   LeafHabit habit;
   const auto named = find_named_habit(tags);
   if (named && type.empty()) habit = *named;

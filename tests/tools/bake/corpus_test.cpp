@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "support/temp_folder.h"
+#include "support/corpus.h"
 #include "tools/bake/recipe/recipe.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -15,13 +15,7 @@ namespace {
 const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/bake/corpus";
 
 TEST(Corpus, EveryRecipeIsReadOrRefused) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
-    const std::string text = test::read_text(entry.path());
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-    ++files;
-  }
-  EXPECT_GE(files, 6u);
+  test::feed_each_file(corpus, 6, LLVMFuzzerTestOneInput);
 }
 
 TEST(Corpus, HoldsWholeRecipes) {

@@ -1,27 +1,22 @@
-#include "tools/bake/recipe/recipe.h"
-#include "tools/bake/bake_options.h"
-
 #include <gtest/gtest.h>
 
 #include "formats/error.h"
-#include "support/error_message.h"
 #include "support/temp_folder.h"
+#include "tests/tools/bake/read_recipe_text.h"
+#include "tools/bake/bake_options.h"
 #include "tools/bake/city/city_frames.h"
+#include "tools/bake/recipe/recipe.h"
 
 namespace nightcity::bake {
 namespace {
 
+using test::read_recipe_text;
 using test::TempFolder;
-
-Recipe read(const TempFolder& folder, const std::string& text) {
-  test::write_text(folder / "recipe.toml", text);
-  return read_recipe(folder / "recipe.toml");
-}
 
 TEST(Recipe, TwoKeysSufficeAndPathsAreRelativeToIt) {
   const TempFolder folder;
-  const Recipe recipe =
-      read(folder, "[city]\nfiles = ['a.gml', 'sub/../b.gml']\n[osm]\nfiles = 'm.osm.pbf'\n");
+  const Recipe recipe = read_recipe_text(
+      folder, "[city]\nfiles = ['a.gml', 'sub/../b.gml']\n[osm]\nfiles = 'm.osm.pbf'\n");
   EXPECT_EQ(recipe.city.files,
             (std::vector<std::filesystem::path>{folder / "a.gml", folder / "b.gml"}));
   EXPECT_EQ(recipe.osm.files, (std::vector<std::filesystem::path>{folder / "m.osm.pbf"}));
@@ -33,7 +28,7 @@ TEST(Recipe, TwoKeysSufficeAndPathsAreRelativeToIt) {
 
 TEST(Recipe, TakesEveryOption) {
   const TempFolder folder;
-  const Recipe recipe = read(folder, R"(
+  const Recipe recipe = read_recipe_text(folder, R"(
 [city]
 files = ["a.gml"]
 crs = "EPSG:25833"
@@ -107,102 +102,19 @@ punctual = 50
 TEST(Recipe, TrafficDrivesWhereItsTableIsThere) {
   const TempFolder folder;
   const std::string files = "[city]\nfiles = 'a.gml'\n";
-  EXPECT_FALSE(read(folder, files).traffic.is_made);
-  EXPECT_TRUE(read(folder, files + "[traffic]\n").traffic.is_made);
-  EXPECT_FALSE(read(folder, files + "[traffic]\ndrives = false\n").traffic.is_made);
-  const Recipe recipe =
-      read(folder, files + "[traffic]\nper_km = 2.5\ncycle_s = 300\nside = 'left'\nseed = 4\n");
+  EXPECT_FALSE(read_recipe_text(folder, files).traffic.is_made);
+  EXPECT_TRUE(read_recipe_text(folder, files + "[traffic]\n").traffic.is_made);
+  EXPECT_FALSE(read_recipe_text(folder, files + "[traffic]\ndrives = false\n").traffic.is_made);
+  const Recipe recipe = read_recipe_text(
+      folder, files + "[traffic]\nper_km = 2.5\ncycle_s = 300\nside = 'left'\nseed = 4\n");
   EXPECT_EQ(recipe.traffic.options.per_km, 2.5);
   EXPECT_EQ(recipe.traffic.options.cycle_s, 300);
   EXPECT_EQ(recipe.traffic.options.side, traffic::Side::left);
   EXPECT_EQ(recipe.traffic.options.seed, 4u);
   for (const char* wrong :
        {"side = 'up'", "cycle_s = 5", "vehicles = -1", "hours = [1.0]", "speed = 3"})
-    EXPECT_THROW(read(folder, files + "[traffic]\n" + wrong + "\n"), UsageError) << wrong;
-}
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t found = 0;
-  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) ++found;
-  return found;
-}
-
-TEST(Recipe, WhatIsNamedAgainCountsOnceAndIsSaid) {
-  const TempFolder folder;
-  std::filesystem::create_directory(folder / "tiles");
-  test::write_text(folder / "tiles" / "a.gml", "x");
-  std::string again, rows;
-  for (int i = 0; i < 999; ++i) {
-    again += ", './b.gml', 'tiles', 'tiles/'";
-    rows += ", {file = 's.ldt', roads = ['primary']}";
-  }
-  ::testing::internal::CaptureStderr();
-  const Recipe recipe = read(
-      folder, "[city]\nfiles = ['b.gml', 'tiles/a.gml'" + again + "]\n[osm]\nfiles = ['m.osm', " +
-                  "'n.osm', 'm.osm']\n[terrain]\ndem = ['a.tif', 'b.tif', 'a.tif']\n[lights]\n" +
-                  "edits = ['a.json', 'b.json', 'a.json']\n[lamps]\nluminaires = [" +
-                  "{file = 's.ldt'}, {file = 's.ldt', roads = ['primary']}" + rows + "]\n" +
-                  "inventories = [{file = 'l.csv', layer = 'x'}, {file = 'l.csv', layer = 'y'}, " +
-                  "{file = 'l.csv', layer = 'x'}]\n");
-  const std::string said = ::testing::internal::GetCapturedStderr();
-  using Paths = std::vector<std::filesystem::path>;
-  EXPECT_EQ(recipe.city.files, (Paths{folder / "b.gml", folder / "tiles/a.gml"}));
-  EXPECT_EQ(recipe.osm.files, (Paths{folder / "m.osm", folder / "n.osm"}));
-  EXPECT_EQ(recipe.terrain.elevation_models, (Paths{folder / "a.tif", folder / "b.tif"}));
-  // The later of two edits of a light holds, so a file keeps the place of its last mention.
-  EXPECT_EQ(recipe.lights.edits, (Paths{folder / "b.json", folder / "a.json"}));
-  EXPECT_EQ(recipe.lamps.luminaires.size(), 2u);
-  ASSERT_EQ(recipe.lamps.inventories.size(), 2u);
-  EXPECT_EQ(recipe.lamps.inventories[1].layer, "y");
-  // 999 times b.gml and 2 * 999 times the folder, of which the first brings a.gml again.
-  EXPECT_EQ(count(said, ": [city] files names files again that it has named, 2997 times"), 1u)
-      << said;
-  EXPECT_EQ(count(said, "[lamps] luminaires holds rows again that it has held, 999 times"), 1u);
-  EXPECT_EQ(count(said, "note: "), 6u);
-}
-
-TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
-  const TempFolder folder;
-  std::filesystem::create_directory(folder / "tiles");
-  for (const char* name :
-       {"b.GML", "a.gml", "c.xml", "d.gml.gz", "e.zip", "read.me", "a.png", "f.gz"})
-    test::write_text(folder / "tiles" / name, "x");
-  const Recipe recipe = read(folder, "[city]\nfiles = ['tiles']\n");
-  EXPECT_EQ(recipe.city.files,
-            (std::vector<std::filesystem::path>{folder / "tiles/a.gml", folder / "tiles/b.GML",
-                                                folder / "tiles/c.xml", folder / "tiles/d.gml.gz",
-                                                folder / "tiles/e.zip"}));
-  std::filesystem::create_directory(folder / "none");
-  EXPECT_THROW(read(folder, "[city]\nfiles = ['none']\n"), Error);
-}
-
-TEST(Recipe, OfObjFilesThatDifferInTheirLevelTheBestIsBaked) {
-  const TempFolder folder;
-  for (const char* inside : {"lod1", "lod2"}) {
-    std::filesystem::create_directories(folder / "city" / inside);
-    test::write_text(folder / "city" / inside / "tile.obj", "v 0 0 0\n");
-  }
-  const auto files_at = [&](const std::string& lod) {
-    return to_bake_options(read(folder, "[city]\nfiles = ['city']\nlod = " + lod + "\n"))
-        .city.files;
-  };
-  using Files = std::vector<std::filesystem::path>;
-  EXPECT_EQ(files_at("2"), Files{folder / "city/lod2/tile.obj"});
-  EXPECT_EQ(files_at("1"), Files{folder / "city/lod1/tile.obj"});
-}
-
-TEST(Recipe, FoldersInsideAFolderAreEnteredAndHiddenOnesAreNot) {
-  const TempFolder folder;
-  for (const char* inside : {"udx/bldg/51", "udx/tran", "udx/.cache", "codelists"})
-    std::filesystem::create_directories(folder / inside);
-  for (const char* name : {"udx/tran/a.gml", "udx/bldg/51/b.gml", "udx/bldg/c.gml",
-                           "udx/.cache/d.gml", "udx/bldg/.e.gml"})
-    test::write_text(folder / name, "x");
-  std::filesystem::create_directory_symlink(folder / "udx", folder / "udx/round");
-  const Recipe recipe = read(folder, "[city]\nfiles = ['udx']\n");
-  EXPECT_EQ(recipe.city.files, (std::vector<std::filesystem::path>{folder / "udx/bldg/51/b.gml",
-                                                                   folder / "udx/bldg/c.gml",
-                                                                   folder / "udx/tran/a.gml"}));
+    EXPECT_THROW(read_recipe_text(folder, files + "[traffic]\n" + wrong + "\n"), UsageError)
+        << wrong;
 }
 
 TEST(Recipe, WrongValuesAreUsageErrors) {
@@ -214,46 +126,33 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
         "files = ['']", "unknown = 1", "bounds = [1, 2, 3]", "bounds = [13.1, 52, 13, 52.1]",
         "bounds = [13, 52, 13.1, 91]",
         "bounds = [13, 52, 14, 53]\ncontrol_points = [[13, 52, 0, 0], [14, 53, 1, 1]]"})
-    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"), Error)
+    EXPECT_THROW(read_recipe_text(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"),
+                 Error)
         << line;
-  EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
-  EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
+  EXPECT_THROW(read_recipe_text(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"),
+               UsageError);
+  EXPECT_THROW(read_recipe_text(folder, "city = 3\n"), UsageError);
   for (const char* line : {"off = '23:00-05:00'", "off = {residential = '05:00-23:00'}",
                            "off = {raceway = '23:00-05:00'}", "half_night = {residential = 23}",
                            "luminaires = 's.ldt'", "luminaires = [{roads = ['primary']}]",
                            "luminaires = [{file = 's.ldt', roads = ['raceway']}]",
                            "luminaires = [{file = 's.ldt', types = ['?']}]",
                            "luminaires = [{file = 's.ldt', colour = 3000}]"})
-    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[lamps]\n") + line + "\n"),
-                 UsageError)
+    EXPECT_THROW(
+        read_recipe_text(folder, std::string("[city]\nfiles = ['a.gml']\n[lamps]\n") + line + "\n"),
+        UsageError)
         << line;
   for (const char* time : {"12:00", "07:00", "24:00", "22:60", "22", "2200", "aa:bb"})
     EXPECT_THROW(
-        read(folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
+        read_recipe_text(
+            folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
         UsageError);
-  EXPECT_THROW(read(folder, "[traffic]\n"), UsageError);
+  EXPECT_THROW(read_recipe_text(folder, "[traffic]\n"), UsageError);
   // A map alone suffices for lamps and traffic; a bake needs the city.
-  EXPECT_TRUE(read(folder, "[osm]\nfiles = ['a.osm']\n").city.files.empty());
-  EXPECT_THROW(CityFrames(to_bake_options(read(folder, "[osm]\nfiles = ['a.osm']\n")).city),
-               UsageError);
-}
-
-TEST(Recipe, RecipesOfRealCitiesTakeTheirDataFromTheDataFolderAndAreListed) {
-  const std::filesystem::path source = NIGHTCITY_SOURCE_DIR;
-  const std::string page = test::read_text(source / "pipelines/README.md");
-  std::size_t recipes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(source / "pipelines")) {
-    if (entry.path().extension() != ".toml") continue;
-    ++recipes;
-    const Recipe recipe = read_recipe(entry.path());
-    const std::string data = (source / "data").string() + "/";
-    for (const auto* files : {&recipe.city.files, &recipe.osm.files})
-      for (const std::filesystem::path& file : *files)
-        EXPECT_TRUE(file.string().starts_with(data)) << file;
-    EXPECT_NE(page.find("| `" + entry.path().stem().string() + "` |"), std::string::npos)
-        << entry.path();
-  }
-  EXPECT_EQ(recipes, 6u);
+  EXPECT_TRUE(read_recipe_text(folder, "[osm]\nfiles = ['a.osm']\n").city.files.empty());
+  EXPECT_THROW(
+      CityFrames(to_bake_options(read_recipe_text(folder, "[osm]\nfiles = ['a.osm']\n")).city),
+      UsageError);
 }
 
 TEST(Recipe, ATextWithAZeroByteIsRefusedByItsLine) {
@@ -261,7 +160,7 @@ TEST(Recipe, ATextWithAZeroByteIsRefusedByItsLine) {
   for (const char* line : {"files = [\"a.gml\", \"b\\u0000c.gml\"]", "files = \"\\u0000\"",
                            "files = 'a.gml'\nlicence = \"\\u0000\""}) {
     try {
-      read(folder, std::string("[city]\n") + line);
+      read_recipe_text(folder, std::string("[city]\n") + line);
       ADD_FAILURE() << line;
     } catch (const Error& error) {
       const std::string message = error.what();
@@ -279,7 +178,7 @@ TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
        {deep + " = 1", "[" + deep + "]", "a = {" + deep + " = 1}",
         "x = \"\"\" ' \" \"\"\"\n# \" '\n" + deep + " = 1", "x = '\\'\n" + deep + " = 1"}) {
     try {
-      read(folder, text);
+      read_recipe_text(folder, text);
       ADD_FAILURE() << text.substr(0, 40);
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find("more than 32 parts"), std::string::npos)
@@ -287,24 +186,10 @@ TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
     }
   }
   const std::string dots(1000, '.');
-  const Recipe recipe = read(folder, "# " + dots + "\n[city]\nfiles = ['" + dots + "', \"\"\"" +
-                                         dots + ".\"\"\"]\n[origin]\nheight = 1.5\n");
+  const Recipe recipe =
+      read_recipe_text(folder, "# " + dots + "\n[city]\nfiles = ['" + dots + "', \"\"\"" + dots +
+                                   ".\"\"\"]\n[origin]\nheight = 1.5\n");
   EXPECT_EQ(recipe.city.files.size(), 2u);
-}
-
-TEST(Recipe, ACityOrAMapInItsPlaceIsNamed) {
-  const test::TempFolder folder;
-  const auto why = [&](const char* name, const std::string& text) {
-    test::write_text(folder / name, text);
-    return test::message_of([&] { read_recipe(folder / name); });
-  };
-  EXPECT_NE(why("a.osm", "<osm version='0.6'/>").find("is OSM, not a recipe: `nightbake new"),
-            std::string::npos);
-  EXPECT_NE(why("a.json", "{\"type\":\"CityJSON\"}").find("is CityJSON, not a recipe"),
-            std::string::npos);
-  EXPECT_NE(test::message_of([&] { read_recipe(folder.path()); }).find("is a folder, not a recipe"),
-            std::string::npos);
-  EXPECT_EQ(why("recipe.txt", "[osm]\nfiles = ['a.osm']\n"), "") << "a recipe may have any name";
 }
 
 }  // namespace

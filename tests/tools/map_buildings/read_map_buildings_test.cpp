@@ -20,6 +20,7 @@
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/city/ring.h"
 #include "tools/map_buildings/building_tags.h"
+#include "tools/map_buildings/file_buildings.h"
 
 namespace nightcity::map_buildings {
 namespace {
@@ -345,7 +346,7 @@ std::vector<Read> read_all(const std::vector<std::string>& texts) {
     maps.push_back(files.back().path());
   }
   city::ReadOptions options;
-  options.maps = std::make_shared<const std::vector<std::filesystem::path>>(maps);
+  options.maps = std::make_shared<CityMaps>(maps);
   std::vector<Read> all(maps.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     city::ObjectSink sink = [&](city::CityObject&& o) { all[i].objects.push_back(std::move(o)); };

@@ -4,67 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
 #include <numbers>
-#include <tuple>
 
+#include "tests/tools/map_buildings/roof_volume.h"
 #include "tools/city/ring.h"
 
 namespace nightcity::map_buildings {
 namespace {
-
-// 10 m along x, 6 m along y.
-const Outline rectangle{{{0, 0}, {10, 0}, {10, 6}, {0, 6}}, {}};
-
-BuildingSizes sizes(RoofShape roof, double foot = 0, double eaves = 5, double top = 8) {
-  BuildingSizes s;
-  s.roof = roof;
-  s.foot_m = foot;
-  s.eaves_m = roof == RoofShape::flat ? top : eaves;
-  s.top_m = top;
-  return s;
-}
-
-// By the divergence theorem; holes count with their own direction.
-double volume(const std::vector<city::Polygon>& shell) {
-  double sum = 0;
-  for (const city::Polygon& polygon : shell) {
-    glm::dvec3 vector = city::area_vector(polygon.exterior);
-    for (const city::Ring& hole : polygon.interiors) vector += city::area_vector(hole);
-    sum += glm::dot(vector, polygon.exterior.front()) / 3;
-  }
-  return sum;
-}
-
-// Returns whether each edge runs once each way: then the shell is closed and faces one way.
-bool is_closed(const std::vector<city::Polygon>& shell) {
-  std::map<std::tuple<double, double, double, double, double, double>, int> edges;
-  const auto add = [&](const city::Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const glm::dvec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if (a == b) continue;
-      ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
-      --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
-    }
-  };
-  for (const city::Polygon& polygon : shell) {
-    add(polygon.exterior);
-    for (const city::Ring& hole : polygon.interiors) add(hole);
-  }
-  for (const auto& [edge, count] : edges)
-    if (count != 0) return false;
-  return true;
-}
-
-void expect_shell(const Outline& outline, const BuildingSizes& s, double expected,
-                  bool expect_flat = false) {
-  bool flat = false;
-  const auto shell = make_shell(outline, s, flat);
-  EXPECT_EQ(flat, expect_flat);
-  EXPECT_TRUE(is_closed(shell));
-  EXPECT_NEAR(volume(shell), expected, 1e-6);
-}
 
 TEST(Roofs, ARectangleUnderEveryRoofHasItsVolume) {
   expect_shell(rectangle, sizes(RoofShape::flat), 60 * 8);
@@ -115,39 +61,6 @@ TEST(Roofs, RarerRoofsHaveTheVolumeOfTheirClosedForms) {
   expect_shell(rectangle, sizes(RoofShape::crosspitched), block + 60 * 3 * 2 / 3.0);
 }
 
-TEST(Roofs, TeethFallTheWayThatTheirTagSays) {
-  const Outline hall{{{0, 0}, {24, 0}, {24, 10}, {0, 10}}, {}};
-  const auto slopes = [&](double direction) {
-    BuildingSizes s = sizes(RoofShape::sawtooth);
-    s.direction_degrees = direction;
-    bool flat = false;
-    int count = 0;
-    for (const city::Polygon& polygon : make_shell(hall, s, flat)) {
-      const glm::dvec3 normal = glm::normalize(city::area_vector(polygon.exterior));
-      if (polygon.surface != city::SurfaceType::roof || normal.z < 0.5) continue;
-      const double angle = direction * std::numbers::pi / 180;
-      EXPECT_GT(normal.x * std::sin(angle) + normal.y * std::cos(angle), 0.3);
-      ++count;
-    }
-    return count;
-  };
-  EXPECT_EQ(slopes(90), 4) << "each of 6 m";
-  EXPECT_EQ(slopes(270), 4);
-  EXPECT_EQ(slopes(0), 2);
-}
-
-double volume_of(const Outline& outline, const BuildingSizes& s) {
-  bool flat = false;
-  const auto shell = make_shell(outline, s, flat);
-  EXPECT_FALSE(flat);
-  EXPECT_TRUE(is_closed(shell));
-  double top = 0;
-  for (const city::Polygon& polygon : shell)
-    for (const glm::dvec3& p : polygon.exterior) top = std::max(top, p.z);
-  EXPECT_EQ(top, s.top_m);
-  return volume(shell);
-}
-
 TEST(Roofs, ARoundRoofIsAnArcOrHalfAnEllipse) {
   // Rise 2 over half a width of 3: the radius is (2^2 + 3^2) / 4, the half angle 2 atan(2 / 3).
   const double radius = 13 / 4.0, angle = 2 * std::atan(2 / 3.0);
@@ -184,64 +97,12 @@ TEST(Roofs, DomesAndOnionsAreBodiesOfSimilarSections) {
                volume_of(rectangle, sizes(RoofShape::onion, 3, 5, 8)));
 }
 
-TEST(Roofs, TheLongSlopeOfASaltboxFallsTheWayItsTagSays) {
-  for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
-    BuildingSizes s = sizes(RoofShape::saltbox);
-    s.direction_degrees = degrees;
-    bool flat = false;
-    double most = 0;
-    glm::dvec3 largest{0};
-    for (const city::Polygon& polygon : make_shell(rectangle, s, flat)) {
-      if (polygon.surface != city::SurfaceType::roof) continue;
-      const glm::dvec3 vector = city::area_vector(polygon.exterior);
-      if (glm::length(vector) > most) most = glm::length(vector), largest = vector;
-    }
-    const double angle = degrees * std::numbers::pi / 180;
-    EXPECT_NEAR(
-        glm::dot(glm::normalize(glm::dvec2(largest)), glm::dvec2(std::sin(angle), std::cos(angle))),
-        1, 1e-9);
-  }
-}
-
 TEST(Roofs, OnlyWhatStandsOnTheGroundHasAGroundSurface) {
   bool flat = false;
   EXPECT_EQ(make_shell(rectangle, sizes(RoofShape::flat), flat).back().surface,
             city::SurfaceType::ground);
   EXPECT_EQ(make_shell(rectangle, sizes(RoofShape::flat, 2), flat).back().surface,
             city::SurfaceType::outer_ceiling);
-}
-
-TEST(Roofs, AGableRunsAlongTheLongerSideUnlessAcross) {
-  bool flat = false;
-  BuildingSizes s = sizes(RoofShape::gabled);
-  const auto top_at = [&](const std::vector<city::Polygon>& shell, const glm::dvec2& p) {
-    double z = -1;
-    for (const city::Polygon& polygon : shell)
-      for (const glm::dvec3& v : polygon.exterior)
-        if (glm::distance(glm::dvec2(v), p) < 1e-9) z = std::max(z, v.z);
-    return z;
-  };
-  EXPECT_NEAR(top_at(make_shell(rectangle, s, flat), {0, 3}), 8, 1e-9);
-  s.across = true;
-  const auto across = make_shell(rectangle, s, flat);
-  EXPECT_NEAR(top_at(across, {5, 0}), 8, 1e-9);
-  EXPECT_EQ(top_at(across, {0, 3}), -1);
-}
-
-TEST(Roofs, ASkillionFallsTheWayItsTagSays) {
-  for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
-    BuildingSizes s = sizes(RoofShape::skillion);
-    s.direction_degrees = degrees;
-    bool flat = false;
-    const glm::dvec2 fall(std::sin(degrees * std::numbers::pi / 180),
-                          std::cos(degrees * std::numbers::pi / 180));
-    for (const city::Polygon& polygon : make_shell(rectangle, s, flat)) {
-      if (polygon.surface != city::SurfaceType::roof) continue;
-      const glm::dvec3 normal = glm::normalize(city::area_vector(polygon.exterior));
-      EXPECT_GT(normal.z, 0);
-      EXPECT_GT(glm::dot(glm::dvec2(normal), fall), 0.1);
-    }
-  }
 }
 
 TEST(Roofs, OtherOutlinesGetWhatFitsThem) {
@@ -286,7 +147,7 @@ TEST(Roofs, ShapesKeepTheirShareOfThePrismWhereverTheRectangleLies) {
         EXPECT_FALSE(flat);
         EXPECT_TRUE(is_closed(shell));
         const double area = 60 * size * size;
-        EXPECT_NEAR(volume(shell), area * (5 + 3 * part), 1e-6 * area * 10) << step;
+        EXPECT_NEAR(shell_volume(shell), area * (5 + 3 * part), 1e-6 * area * 10) << step;
       }
 }
 
@@ -332,34 +193,9 @@ TEST(Roofs, GablesOverAnyOutlineAreClosed) {
         bool flat = false;
         const auto shell = make_shell(outline, s, flat);
         EXPECT_TRUE(is_closed(shell)) << corners;
-        EXPECT_GT(volume(shell), 0) << corners;
+        EXPECT_GT(shell_volume(shell), 0) << corners;
       }
   }
-}
-
-TEST(Roofs, ASkillionAcrossFallsAlongTheLongerSide) {
-  const auto find_tops = [](std::optional<bool> across, std::optional<double> direction) {
-    BuildingSizes s = sizes(RoofShape::skillion);
-    s.across = across;
-    s.direction_degrees = direction;
-    bool flat = false;
-    glm::dvec3 low(1e9), high(-1e9);
-    for (const city::Polygon& polygon : make_shell(rectangle, s, flat))
-      for (const glm::dvec3& p : polygon.exterior)
-        if (p.z > 8 - 1e-9) low = glm::min(low, p), high = glm::max(high, p);
-    return high - low;
-  };
-  EXPECT_NEAR(find_tops(true, {}).x, 0, 1e-9);
-  EXPECT_NEAR(find_tops(true, {}).y, 6, 1e-9);
-  EXPECT_NEAR(find_tops(false, {}).x, 10, 1e-9);
-  EXPECT_NEAR(find_tops({}, {}).x, 10, 1e-9);
-  EXPECT_NEAR(find_tops(true, 0).x, 10, 1e-9) << "roof:direction says more";
-  BuildingSizes steep = sizes(RoofShape::skillion);
-  steep.top_is_said = false;
-  steep.across = true;
-  steep.slope_degrees = 45;
-  fit_slope(rectangle, steep);
-  EXPECT_NEAR(steep.top_m - steep.eaves_m, 10, 1e-9);
 }
 
 }  // namespace

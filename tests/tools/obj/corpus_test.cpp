@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "support/corpus.h"
 #include "support/temp_folder.h"
 #include "tests/tools/city/sound_picture.h"
 #include "tests/tools/obj/bundle.h"
@@ -16,31 +17,24 @@ using namespace test;
 const std::filesystem::path tests = NIGHTCITY_SOURCE_DIR "/tests/tools/obj";
 
 TEST(ObjCorpus, EveryFileIsReadOrRefused) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(tests / "corpus")) {
-    ++files;
-    EXPECT_FALSE(error_of_obj(test::read_text(entry.path())).empty()) << entry.path();
-  }
-  EXPECT_GE(files, 2u);
+  expect_sound_files(tests / "corpus", 2, [](const std::filesystem::path& file) -> std::string {
+    return error_of_obj(read_text(file)).empty() ? "is refused without a reason" : "";
+  });
 }
 
 TEST(ObjCorpus, EveryPictureThatIsLaidHasItsPixelsAndAPlaceForEachVertex) {
   std::size_t pictures = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(tests / "corpus_pictures")) {
+  read_each_file(tests / "corpus_pictures", 1, [&](const std::filesystem::path& file) {
     const TempFolder folder;
     city::ReadOptions options;
     options.textures = city::Textures::atlas;
-    try {
-      const City city = read_obj_file(write_bundle(folder, test::read_text(entry.path())), options);
-      for (const city::CityObject& object : city.objects)
-        for (const city::Polygon& polygon : object.polygons) {
-          EXPECT_TRUE(has_sound_picture(polygon)) << entry.path();
-          pictures += polygon.picture != nullptr;
-        }
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()), "") << entry.path();
-    }
-  }
+    const City city = read_obj_file(write_bundle(folder, read_text(file)), options);
+    for (const city::CityObject& object : city.objects)
+      for (const city::Polygon& polygon : object.polygons) {
+        EXPECT_TRUE(has_sound_picture(polygon)) << file;
+        pictures += polygon.picture != nullptr;
+      }
+  });
   EXPECT_GE(pictures, 10u);
 }
 

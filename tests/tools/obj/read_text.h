@@ -22,6 +22,12 @@ inline City read_obj_text(const std::string& text, const city::ReadOptions& opti
   return read_obj_file(TemporaryFile(text, ".obj").path(), options);
 }
 
+inline city::ReadOptions with_up(city::MeshPlacement::Up up) {
+  city::ReadOptions options;
+  options.mesh.up = up;
+  return options;
+}
+
 /// Returns the message of the Error, "read" where there is none.
 inline std::string error_of_obj(const std::string& text, const city::ReadOptions& options = {}) {
   try {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "formats/error.h"
+#include "support/corpus.h"
 #include "support/temp_folder.h"
 #include "tools/osm/first_nodes.h"
 #include "tools/osm/map_areas.h"
@@ -15,40 +16,28 @@
 namespace nightcity::osm {
 namespace {
 
+const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
+
 TEST(Corpus, EveryExtractIsReadOrRefused) {
-  std::size_t files = 0, sound = 0;
-  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
-  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
-    ++files;
-    try {
-      for (const OsmLampNode& lamp : read_osm(entry.path()).lamps) {
-        EXPECT_LE(std::abs(lamp.lon_lat.x), 180) << entry.path();
-        EXPECT_LE(std::abs(lamp.lon_lat.y), 90) << entry.path();
-      }
-      ++sound;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()), "") << entry.path();
+  const auto files = test::read_each_file(corpus, 3, [](const std::filesystem::path& file) {
+    for (const OsmLampNode& lamp : read_osm(file).lamps) {
+      EXPECT_LE(std::abs(lamp.lon_lat.x), 180) << file;
+      EXPECT_LE(std::abs(lamp.lon_lat.y), 90) << file;
     }
-  }
-  EXPECT_GE(files, 3u);
-  EXPECT_GE(sound, 1u);
+  });
+  EXPECT_GE(files.sound, 1u);
 }
 
 TEST(Corpus, EveryMapGivesAreasOrIsRefused) {
   std::size_t areas = 0;
-  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
-  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
-    try {
-      const AreaSelection all{{"building", "building:part", "natural", "landuse"}};
-      for (const MapArea& area : read_map_areas(entry.path(), all, 500).areas) {
-        EXPECT_FALSE(area.tags.empty()) << entry.path();
-        for (const MapRings& rings : area.rings) EXPECT_GE(rings.outer.size(), 3u) << entry.path();
-        ++areas;
-      }
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()), "") << entry.path();
+  test::read_each_file(corpus, 3, [&](const std::filesystem::path& file) {
+    const AreaSelection all{{"building", "building:part", "natural", "landuse"}};
+    for (const MapArea& area : read_map_areas(file, all, 500).areas) {
+      EXPECT_FALSE(area.tags.empty()) << file;
+      for (const MapRings& rings : area.rings) EXPECT_GE(rings.outer.size(), 3u) << file;
+      ++areas;
     }
-  }
+  });
   EXPECT_GE(areas, 10u);
 }
 
@@ -56,9 +45,7 @@ TEST(Corpus, EveryMapGivesAreasOrIsRefused) {
 TEST(Corpus, ALakeOfTwoWaysIsTheSameInEveryPacking) {
   for (const char* name :
        {"lake_of_two_ways.osm", "lake_of_two_ways.osm.gz", "lake_of_two_ways.osm.pbf"}) {
-    const MapAreas map = read_map_areas(
-        std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus" / name,
-        {{"natural"}}, 500);
+    const MapAreas map = read_map_areas(corpus / name, {{"natural"}}, 500);
     ASSERT_EQ(map.areas.size(), 1u) << name;
     EXPECT_EQ(map.areas[0].id, "relation/1") << name;
     ASSERT_EQ(map.areas[0].rings.size(), 1u) << name;
@@ -72,7 +59,7 @@ TEST(Corpus, ALakeOfTwoWaysIsTheSameInEveryPacking) {
 // took.
 TEST(Corpus, AnIdThatHasNoAreaIsAnError) {
   for (const char* name : {"largest_id.osm", "largest_id.osm.gz"}) {
-    const auto file = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus" / name;
+    const auto file = corpus / name;
     try {
       const MapAreas map = read_map_areas(file, {{"natural"}}, 500);
       ADD_FAILURE() << name << " was read: " << map.areas.size() << " areas";
@@ -84,7 +71,6 @@ TEST(Corpus, AnIdThatHasNoAreaIsAnError) {
 
 // libosmium leaves the way out of the list of an area's ways, and read behind the end of that.
 TEST(Corpus, AMultipolygonOfTheWayZeroIsBroken) {
-  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
   const MapAreas map = read_map_areas(corpus / "way_zero.osm", {{"natural"}}, 500);
   EXPECT_TRUE(map.areas.empty());
   EXPECT_EQ(map.broken, 1u);
@@ -92,8 +78,7 @@ TEST(Corpus, AMultipolygonOfTheWayZeroIsBroken) {
 
 // libosmium reads on behind the end of such tags.
 TEST(Corpus, ATagWithAZeroByteIsAnError) {
-  const auto file = std::filesystem::path(NIGHTCITY_SOURCE_DIR) /
-                    "tests/tools/osm/corpus/zero_byte_in_tag.osm.pbf";
+  const auto file = corpus / "zero_byte_in_tag.osm.pbf";
   try {
     read_osm(file);
     FAIL() << "was read";
@@ -110,7 +95,6 @@ std::ptrdiff_t count_descriptors() {
 // libosmium's own parser leaves the file of a PBF open that an exception ends: in its header, in
 // its blobs, or between them.
 TEST(Corpus, ABrokenPbfIsClosedHoweverOftenItIsRead) {
-  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
   const std::string whole = test::read_text(corpus / "lake_of_two_ways.osm.pbf");
   const test::TempFolder folder;
   std::size_t errors = 0;

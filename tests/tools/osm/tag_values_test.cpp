@@ -25,6 +25,17 @@ TEST(TagValues, LengthsInEveryUnitAndSpelling) {
     EXPECT_FALSE(parse_length_m(text)) << text;
 }
 
+TEST(TagValues, TagsAsWrittenAndNormalised) {
+  const OsmTags tags{
+      {"name", " Am Hof "}, {"leisure", "Sports-Centre"}, {"bridge", "No"}, {"a", ""}};
+  EXPECT_EQ(find_raw_tag(tags, "name"), " Am Hof ");
+  EXPECT_EQ(find_raw_tag(tags, "none"), "");
+  EXPECT_EQ(find_tag(tags, "leisure"), "sports_centre");
+  EXPECT_EQ(find_tag(tags, "none"), "");
+  EXPECT_TRUE(is_tagged(tags, "leisure"));
+  for (const char* key : {"bridge", "a", "none"}) EXPECT_FALSE(is_tagged(tags, key)) << key;
+}
+
 TEST(TagValues, LengthsInInchesYardsTypographyAndAboutRight) {
   const std::pair<const char*, double> known[] = {{"120 in", 3.048},
                                                   {"120\"", 3.048},

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "support/temp_folder.h"
+#include "support/corpus.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -11,15 +11,8 @@ namespace nightcity::streets {
 namespace {
 
 TEST(Corpus, EveryOutlineIsTriangulated) {
-  std::size_t files = 0;
   const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/streets/corpus";
-  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
-    SCOPED_TRACE(entry.path());
-    const std::string text = test::read_text(entry.path());
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-    ++files;
-  }
-  EXPECT_GE(files, 3u);
+  test::feed_each_file(corpus, 3, LLVMFuzzerTestOneInput);
 }
 
 }  // namespace

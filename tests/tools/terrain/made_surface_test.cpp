@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/plan_view.h"
 #include "tools/terrain/outline.h"
 
 namespace nightcity::terrain {
@@ -35,33 +36,15 @@ std::vector<glm::dvec3> spread_points(int west, int south, int east, int north) 
   return points;
 }
 
-double find_area(const mesh::TriangleMesh& mesh) {
-  double area = 0;
-  for (const mesh::MeshTriangle& t : mesh.triangles) {
-    const glm::dvec3 &a = mesh.positions[t.vertex[0]], &b = mesh.positions[t.vertex[1]],
-                     &c = mesh.positions[t.vertex[2]];
-    area += std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-  }
-  return area;
-}
-
-// Returns whether a triangle covers a place.
 bool covers(const mesh::TriangleMesh& mesh, double x, double y) {
-  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-    int left = 0;
-    for (int k = 0; k < 3; ++k) {
-      const glm::dvec3 &a = mesh.positions[t.vertex[k]], &b = mesh.positions[t.vertex[(k + 1) % 3]];
-      left += (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x) > 0 ? 1 : -1;
-    }
-    return std::abs(left) == 3;
-  });
+  return !std::isnan(test::find_height(mesh, x, y));
 }
 
 TEST(SurfaceAround, MeetsTheGroundAtItsRingAndLeavesItFree) {
   const Ring ring = make_ring(0, 0, 100, 100);
   const auto around = make_surface_around({{ring}}, spread_points(0, 0, 300, 150), 50);
   // The rim reaches 50 m beyond the points and the ring.
-  EXPECT_NEAR(find_area(around.mesh), 400.0 * 250 - 100.0 * 100, 1e-6);
+  EXPECT_NEAR(test::find_plan_area(around.mesh), 400.0 * 250 - 100.0 * 100, 1e-6);
   EXPECT_FALSE(covers(around.mesh, 50.5, 40.25));
   EXPECT_TRUE(covers(around.mesh, 100.5, 40.25));
   // Seen from the other side the hole is the ring, to the vertex.
@@ -99,7 +82,7 @@ TEST(SurfaceAround, LiesBetweenTwoGroundsAndInNeither) {
       make_surface_around({{make_ring(0, 0, 100, 100), make_ring(200, 0, 300, 100)}},
                           {{150, 50, height_of_plane(150, 50)}}, 50);
   EXPECT_EQ(around.points, 1u);
-  EXPECT_NEAR(find_area(around.mesh), 400.0 * 200 - 2 * 100.0 * 100, 1e-6);
+  EXPECT_NEAR(test::find_plan_area(around.mesh), 400.0 * 200 - 2 * 100.0 * 100, 1e-6);
   EXPECT_TRUE(covers(around.mesh, 150.5, 40.25));
   EXPECT_FALSE(covers(around.mesh, 250.5, 40.25));
 }
@@ -108,14 +91,14 @@ TEST(SurfaceAround, LiesBetweenTwoGroundsAndInNeither) {
 TEST(SurfaceAround, LeavesGroundsFreeThatCrossEachOther) {
   const auto around = make_surface_around(
       {{make_ring(0, 0, 100, 100), make_ring(50, 50, 150, 150)}}, {{200, 20, 30}}, 50);
-  EXPECT_NEAR(find_area(around.mesh), 300.0 * 250 - (2 * 100.0 * 100 - 50 * 50), 1e-6);
+  EXPECT_NEAR(test::find_plan_area(around.mesh), 300.0 * 250 - (2 * 100.0 * 100 - 50 * 50), 1e-6);
   for (const double p : {25.25, 75.25, 125.25}) EXPECT_FALSE(covers(around.mesh, p, p + 0.5));
 }
 
 TEST(SurfaceAround, IsAllOfItsRectangleWithoutAGround) {
   const auto around = make_surface_around({}, {{0, 0, 5}, {100, 50, 7}}, 50);
   EXPECT_EQ(around.points, 2u);
-  EXPECT_NEAR(find_area(around.mesh), 200.0 * 150, 1e-6);
+  EXPECT_NEAR(test::find_plan_area(around.mesh), 200.0 * 150, 1e-6);
 }
 
 }  // namespace

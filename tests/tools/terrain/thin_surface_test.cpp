@@ -7,8 +7,13 @@
 #include <functional>
 #include <map>
 
+#include "support/plan_view.h"
+
 namespace nightcity::terrain {
 namespace {
+
+using test::find_height;
+using test::find_plan_area;
 
 using Height = std::function<double(double x, double y)>;
 
@@ -34,36 +39,10 @@ std::vector<bool> sides_of(std::uint32_t n) {
   return loose;
 }
 
-double area_of(const mesh::TriangleMesh& mesh) {
-  double sum = 0;
-  for (const mesh::MeshTriangle& t : mesh.triangles) {
-    const glm::dvec3 &a = mesh.positions[t.vertex[0]], &b = mesh.positions[t.vertex[1]],
-                     &c = mesh.positions[t.vertex[2]];
-    const double area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-    EXPECT_GT(area, 0) << "faces up";
-    sum += area;
-  }
-  return sum;
-}
-
-// Returns the height of a surface at a place, by the first triangle that holds it.
-double height_at(const mesh::TriangleMesh& mesh, double x, double y) {
-  for (const mesh::MeshTriangle& t : mesh.triangles) {
-    const glm::dvec3 &a = mesh.positions[t.vertex[0]], &b = mesh.positions[t.vertex[1]],
-                     &c = mesh.positions[t.vertex[2]];
-    const double all = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x),
-                 u = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / all,
-                 v = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / all;
-    if (u >= -1e-9 && v >= -1e-9 && u + v <= 1 + 1e-9)
-      return a.z + u * (b.z - a.z) + v * (c.z - a.z);
-  }
-  return std::nan("");
-}
-
 double worst_error(const mesh::TriangleMesh& whole, const mesh::TriangleMesh& thin) {
   double worst = 0;
   for (const glm::dvec3& p : whole.positions)
-    worst = std::max(worst, std::abs(height_at(thin, p.x, p.y) - p.z));
+    worst = std::max(worst, std::abs(find_height(thin, p.x, p.y) - p.z));
   return worst;
 }
 
@@ -72,7 +51,7 @@ TEST(ThinSurface, APlaneBecomesTwoTriangles) {
   const mesh::TriangleMesh thin = thin_surface(grid(32, plane), 0.01, sides_of(32));
   EXPECT_EQ(thin.triangles.size(), 2u);
   EXPECT_EQ(thin.positions.size(), 4u);
-  EXPECT_EQ(area_of(thin), 32 * 32);
+  EXPECT_EQ(find_plan_area(thin), 32 * 32);
 }
 
 TEST(ThinSurface, EveryVertexThatIsLeftOutLiesWithinTheError) {
@@ -82,7 +61,7 @@ TEST(ThinSurface, EveryVertexThatIsLeftOutLiesWithinTheError) {
   for (const double error : {0.001, 0.03, 0.1, 0.3, 1.0}) {
     const mesh::TriangleMesh thin = thin_surface(whole, error);
     EXPECT_LE(worst_error(whole, thin), error + 1e-9) << error;
-    EXPECT_NEAR(area_of(thin), 1600, 1e-6);
+    EXPECT_NEAR(find_plan_area(thin), 1600, 1e-6);
     EXPECT_LE(thin.triangles.size(), fewer) << error;
     fewer = thin.triangles.size();
   }
@@ -92,7 +71,7 @@ TEST(ThinSurface, EveryVertexThatIsLeftOutLiesWithinTheError) {
 TEST(ThinSurface, APeakStays) {
   const auto peak = [](double x, double y) { return x == 9 && y == 5 ? 2.0 : 0.0; };
   const mesh::TriangleMesh thin = thin_surface(grid(16, peak), 0.5, sides_of(16));
-  EXPECT_EQ(height_at(thin, 9, 5), 2);
+  EXPECT_EQ(find_height(thin, 9, 5), 2);
   EXPECT_LT(thin.triangles.size(), 60u);
 }
 
@@ -110,7 +89,7 @@ TEST(ThinSurface, TheOutlineStaysWithItsHoles) {
     loose.triangles.push_back({{first, first + 1, first + 2}, t.surface, 0});
   }
   const mesh::TriangleMesh thin = thin_surface(loose, 0.1);
-  EXPECT_NEAR(area_of(thin), 144 - 9 - 9, 1e-9);
+  EXPECT_NEAR(find_plan_area(thin), 144 - 9 - 9, 1e-9);
   EXPECT_LT(thin.triangles.size(), loose.triangles.size() / 2);
   // Each vertex of the outline is still there: 48 around, 12 of the hole.
   EXPECT_EQ(thin.positions.size(), 60u);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/watercourses.h"
 #include "tools/inventory/add_to_map.h"
+#include "tools/map_buildings/file_buildings.h"
 #include "tools/names/find_named_streets.h"
 #include "tools/osm/map_areas.h"
 #include "tools/osm/read_osm.h"
@@ -35,6 +37,8 @@ namespace nightcity::bake {
 
 City::City(CityInputs inputs, const std::filesystem::path& scratch)
     : inputs_(std::move(inputs)), terrain_(scratch), ground_(terrain_, inputs_.ground) {
+  // Each city has its own, so that what they keep goes with it.
+  inputs_.read.maps = std::make_shared<map_buildings::CityMaps>(inputs_.maps);
   if (!inputs_.files.empty()) frames_.emplace(inputs_);
   if (has_model() && inputs_.ground.carries_buildings) {
     heights_.emplace(inputs_.ground, frame());

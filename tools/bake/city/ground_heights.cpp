@@ -34,22 +34,12 @@ GroundHeights::GroundHeights(const GroundOptions& options, const georeference::C
                   " names no CRS and is taken to have the city's: " + remedy;
     if (const std::string& said = model.assumption(); !said.empty() && assumed++ < most_named)
       assumptions_ += ", " + said;
-    finest_ = std::min(finest_, model.resolution_m());
-    add_to_kind(model.resolution_m());
   }
+  for (const terrain::ResolutionClass& each : terrain::find_resolution_classes(models_))
+    kinds_.push_back({each});
+  if (!kinds_.empty()) finest_ = kinds_.front().step_m;
   if (assumed > most_named)
     assumptions_ += ", and those of " + std::to_string(assumed - most_named) + " others";
-}
-
-// The models come in classes of resolution, the finest first.
-void GroundHeights::add_to_kind(double step_m) {
-  if (kinds_.empty() || step_m > terrain::clearly_coarser * kinds_.back().step_m) {
-    const std::size_t begin = kinds_.empty() ? 0 : kinds_.back().end;
-    kinds_.push_back({begin, begin, step_m});
-  }
-  Kind& kind = kinds_.back();
-  ++kind.end;
-  kind.step_m = std::min(kind.step_m, step_m);
 }
 
 std::vector<double> GroundHeights::read(std::span<const glm::dvec2> places,

@@ -11,6 +11,7 @@
 #include "tools/bake/city/ground_options.h"
 #include "tools/georeference/frame.h"
 #include "tools/terrain/elevation_model.h"
+#include "tools/terrain/open_models.h"
 
 namespace nightcity::bake {
 
@@ -31,12 +32,9 @@ class GroundHeights {
   /// "" where all name one.
   const std::string& unplaced() const { return unplaced_; }
 
-  /// A kind of models: about equally fine ones, so tiles of one survey. Others may count heights
-  /// from elsewhere.
-  struct Kind {
-    std::size_t begin, end;  // of the models
-    double step_m;           // least distance of neighbouring heights
-    double shift_m = 0;      // that is added to the heights
+  /// A kind of models: those of one resolution. Other kinds may count heights from elsewhere.
+  struct Kind : terrain::ResolutionClass {
+    double shift_m = 0;  // that is added to the heights
   };
   /// The kinds, the finest first.
   const std::vector<Kind>& kinds() const { return kinds_; }
@@ -58,7 +56,6 @@ class GroundHeights {
   }
 
  private:
-  void add_to_kind(double step_m);
   std::vector<double> read(std::span<const glm::dvec2> places, std::span<const Kind> kinds) const;
 
   const georeference::CityFrame& city_;
