@@ -24,9 +24,9 @@ struct Direct {
   LightLayers layers;
 };
 
-// Adds what a weight counts of the sample of a reservoir.
+// Adds the light of a reservoir's sample, by its weight.
 void add_light(inout Direct direct, Reservoir from, ReflectedSample s, float weight) {
-  if (!has_shadowed_target(ESTIMATOR) || !(weight > 0.0)) return;
+  if (!has_shadowed_target(ESTIMATOR) || !(weight > 0.0 && from.light < SCENE.light_count)) return;
   const vec3 light = s.in_clear_air * (s.passed * weight);
   direct.sum += light;
   if (HAS_LAYERS != 0u) add_direct(direct.layers, from.light, light_at(from.light), light);
