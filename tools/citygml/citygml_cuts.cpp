@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formats/error.h"
-#include "tools/city/text_source.h"
+#include "tools/city/text_encoding.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 
@@ -44,10 +44,10 @@ std::size_t find_mark(std::string_view text, std::string_view mark, std::size_t 
 
 // Returns the number of elements in the root; nothing where the text is no XML, as where the first
 // member stands in a comment.
-std::optional<std::size_t> count_members(const std::string& text, const std::string& name) {
+std::optional<std::size_t> count_members(std::string text, const std::string& name) {
   try {
-    city::TextSource source(text);
-    MemberSplitter splitter(source, name, {});
+    const auto source = city::resume(std::move(text), nullptr);
+    MemberSplitter splitter(*source, name, {});
     MemberBatch batch;
     std::size_t count = 0;
     while (splitter.next(batch)) count += batch.members.size();

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/city/text_source.h"
+#include "tools/city/text_encoding.h"
 #include "tools/cityjson/document_text.h"
 #include "tools/cityjson/json.h"
 
@@ -16,18 +16,6 @@ namespace nightcity::cityjson {
 namespace {
 
 constexpr std::size_t bytes_that_tell = 65536;
-
-// Keeps the text for as long as it is read.
-class HeldSource : public city::ByteSource {
- public:
-  explicit HeldSource(std::shared_ptr<const std::string> text)
-      : text_(std::move(text)), source_(*text_) {}
-  std::size_t read(char* out, std::size_t size) override { return source_.read(out, size); }
-
- private:
-  std::shared_ptr<const std::string> text_;
-  city::TextSource source_;
-};
 
 // Keeps other documents, which may be long, from being read for this.
 bool begins_as_answer(std::string_view start) {
@@ -96,7 +84,7 @@ std::optional<ApiAnswer> read_api_answer(const city::Document& document, std::si
   result.missing = find_what_is_missing(answer);
   result.sequence.name = document.name;
   result.sequence.packed = true;
-  result.sequence.open = [lines] { return std::make_unique<HeldSource>(lines); };
+  result.sequence.open = [lines] { return city::resume(*lines, nullptr); };
   return result;
 }
 

@@ -104,10 +104,9 @@ class Reader {
   // The table has a column of UTM's zones, and one CRS for all.
   void look_at_zone(const OGRFeature& row) {
     if (zone_column_ < 0 || crs_.utm_zone() == 0) return;
-    const std::string text = row.GetFieldAsString(zone_column_);
     const auto zone = read_utm_zone(row, zone_column_);
     if (!zone || *zone == crs_.utm_zone()) return;
-    if (other_zones_++ == 0) other_zone_ = text;
+    if (other_zones_++ == 0) other_zone_ = row.GetFieldAsString(zone_column_);
   }
 
   void take(const OGRFeature& row) {

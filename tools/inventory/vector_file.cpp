@@ -90,17 +90,12 @@ void prepare_csv(const InventoryFile& inventory, std::string& bytes, VectorFile&
   straighten_csv(bytes);
 }
 
-// Returns the definition of a CRS that lies beside a CSV: "" without, or where GDAL finds it itself
-// and `in_capitals` asks for others alone.
-std::string read_prj_beside(const std::filesystem::path& csv, bool in_capitals) {
-  constexpr std::size_t most_bytes = 65536;
+// Returns the file beside a CSV that defines its CRS; an empty path without.
+std::filesystem::path find_prj_beside(const std::filesystem::path& csv) {
   std::filesystem::path beside = csv;
   std::error_code ignored;
   for (const char* ending : {".prj", ".PRJ", ".Prj"})
-    if (std::filesystem::is_regular_file(beside.replace_extension(ending), ignored))
-      return in_capitals && std::string_view(ending) == ".prj"
-                 ? ""
-                 : read_start(std::filesystem::absolute(beside).string()).substr(0, most_bytes);
+    if (std::filesystem::is_regular_file(beside.replace_extension(ending), ignored)) return beside;
   return {};
 }
 
@@ -125,17 +120,21 @@ void put_into_memory(const InventoryFile& inventory, VectorFile& out) {
       return has_stray_marks({reinterpret_cast<const char*>(whole.bytes().data()),  // chars alias
                               whole.bytes().size()});
     };
+    constexpr std::size_t most_prj_bytes = 65536;
+    const std::filesystem::path prj = is_csv ? find_prj_beside(file) : std::filesystem::path();
+    const bool has_odd_prj = !prj.empty() && prj.extension() != ".prj";  // GDAL looks for no other
     if (!is_wide && !is_text &&
-        !(is_csv && (is_odd_csv(start) || has_odd_head() || has_odd_rows() ||
-                     !read_prj_beside(file, true).empty())))
+        !(is_csv && (is_odd_csv(start) || has_odd_head() || has_odd_rows() || has_odd_prj)))
       return;
     const std::array<std::string_view, 1> endings{""};
     files.push_back(
         {is_text ? file.stem().string() + ".csv" : file.filename().string(),
          read_whole(city::list_documents(file, endings).front(),
                     "save it in UTF-8, with commas and its headings in the first line")});
-    if (const std::string prj = read_prj_beside(file, false); is_csv && !prj.empty())
-      files.push_back({file.stem().string() + ".prj", prj});
+    if (!prj.empty())
+      files.push_back(
+          {file.stem().string() + ".prj",
+           read_start(std::filesystem::absolute(prj).string()).substr(0, most_prj_bytes)});
   }
   if (is_named_as_csv(files.front().name)) prepare_csv(inventory, files.front().bytes, out);
   for (std::size_t i = files.size(); i-- > 0;) {

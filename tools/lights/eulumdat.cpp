@@ -116,16 +116,17 @@ Head read_head(const TextLines& lines, Cursor& at) {
   if (head.factor <= 0) head.factor = 1;
   at.number_or(0, "the tilt");
   const int sets = at.integer("the number of lamp sets", 1, 20);
-  double other_flux_lm = 0;
+  bool others_differ = false;
   for (int n = 0; n < sets; ++n) {
     at.number_or(1, "the number of lamps");  // the flux below is that of the whole set
     at.text("the type of lamps");
     const double flux = at.number("the lamps' flux");
-    (n == 0 ? head.lamp_flux_lm : other_flux_lm) = flux;  // further sets are alternatives
+    if (n == 0) head.lamp_flux_lm = flux;  // further sets are alternatives
+    others_differ = others_differ || flux != head.lamp_flux_lm;
     at.skip(3, "colour, rendering and power of the lamps");
   }
   if (!(head.lamp_flux_lm > 0)) lines.fail(at.line(), "the lamps' flux must be above zero");
-  if (sets > 1 && other_flux_lm != head.lamp_flux_lm)
+  if (others_differ)
     luminaire.notes.push_back("the file has " + std::to_string(sets) +
                               " sets of lamps, of which the first is used");
   at.skip(10, "the direct ratios");

@@ -177,18 +177,19 @@ bool has_levels_below_alone(const osm::OsmTags& tags) {
 
 }  // namespace
 
-osm::OsmTags inherit_height(const osm::OsmTags& part, const osm::OsmTags& building) {
+std::optional<osm::OsmTags> inherit_height(const osm::OsmTags& part, const osm::OsmTags& building) {
   constexpr std::array keys{"height", "building:height", "est_height", "building:levels",
                             "building:levels:aboveground"};
   for (const char* key : keys)
-    if (part.contains(key)) return part;
+    if (part.contains(key)) return {};
   osm::OsmTags tags = part;
   for (const char* key : keys)
     if (const auto found = building.find(key); found != building.end()) tags.insert(*found);
   city::SkipCounter unused;
   const double foot_m = find_sizes(part, unused).foot_m;
   const BuildingSizes whole = find_sizes(building, unused);
-  return whole.top_m > foot_m + least_height_m ? tags : part;
+  if (whole.assumed || !(whole.top_m > foot_m + least_height_m)) return {};
+  return tags;
 }
 
 bool is_part_alone(const osm::OsmTags& tags) {

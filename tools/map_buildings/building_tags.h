@@ -62,9 +62,9 @@ BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes);
 /// take more than all of the height, half of that is left to the walls.
 void set_rise(BuildingSizes& sizes, double rise_m);
 
-/// Returns a part's tags with the building's words for its height, where the part has none of its
-/// own and begins below that.
-osm::OsmTags inherit_height(const osm::OsmTags& part, const osm::OsmTags& building);
+/// Returns a part's tags with the building's words for its height; empty where the part has words of
+/// its own, the building has none that are understood, or the part begins above that.
+std::optional<osm::OsmTags> inherit_height(const osm::OsmTags& part, const osm::OsmTags& building);
 
 /// Returns whether an area is a part of a building, and says that it is none itself.
 bool is_part_alone(const osm::OsmTags& tags);

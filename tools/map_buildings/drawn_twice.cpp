@@ -1,7 +1,6 @@
 #include "tools/map_buildings/drawn_twice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -10,44 +9,36 @@
 #include <utility>
 
 #include "tools/map_buildings/building_tags.h"
+#include "tools/osm/place_steps.h"
 #include "tools/osm/tag_values.h"
-#include "tools/random.h"
 
 namespace nightcity::map_buildings {
 namespace {
 
-using osm::MapArea;
-using Corner = std::pair<std::int64_t, std::int64_t>;
-
-Corner round_corner(const glm::dvec2& p) {
-  constexpr double steps_a_degree = 1e7;  // those of a map
-  return {std::llround(p.x * steps_a_degree), std::llround(p.y * steps_a_degree)};
-}
+using osm::MapArea, osm::PlaceSteps;
 
 template <class Take>
 void visit_corners(const MapArea& area, Take take) {
   for (const osm::MapRings& rings : area.rings) {
-    for (const glm::dvec2& p : rings.outer) take(round_corner(p));
+    for (const glm::dvec2& p : rings.outer) take(osm::round_to_steps(p));
     for (const auto& hole : rings.holes)
-      for (const glm::dvec2& p : hole) take(round_corner(p));
+      for (const glm::dvec2& p : hole) take(osm::round_to_steps(p));
   }
 }
 
 // Rings may begin anywhere and run either way: the sum does not depend on it.
 std::uint64_t hash_corners(const MapArea& area) {
   std::uint64_t sum = 0;
-  visit_corners(area, [&](const Corner& c) {
-    sum += mix(mix(static_cast<std::uint64_t>(c.first)) ^ static_cast<std::uint64_t>(c.second));
-  });
+  visit_corners(area, [&](const PlaceSteps& corner) { sum += osm::hash_place(corner); });
   return sum;
 }
 
-// What buildings of one place have in common: of one outline they may stand on each other.
-using Signature = std::pair<std::vector<Corner>, std::string>;
+// Buildings of one outline may stand on each other: those of one place have all of this in common.
+using Signature = std::pair<std::vector<PlaceSteps>, std::string>;
 
 Signature describe(const MapArea& area) {
   Signature signature;
-  visit_corners(area, [&](const Corner& c) { signature.first.push_back(c); });
+  visit_corners(area, [&](const PlaceSteps& corner) { signature.first.push_back(corner); });
   std::sort(signature.first.begin(), signature.first.end());
   for (const char* key :
        {"min_height", "building:min_height", "building:min_level", "layer", "level", "location"})

@@ -18,7 +18,7 @@ namespace {
 using osm::MapArea;
 using osm::MapAreas;
 
-bool is_said(const osm::OsmTags& tags) {
+bool says_building(const osm::OsmTags& tags) {
   return tags.contains("building") || tags.contains("building:part");
 }
 
@@ -28,13 +28,13 @@ std::string find_tall_kind(const osm::OsmTags& tags) {
       "chimney", "silo", "storage_tank", "gasometer",  "water_tower",          "cooling_tower",
       "tower",   "mast", "windmill",     "lighthouse", "communications_tower", "bunker_silo"};
   const std::string kind = osm::find_tag(tags, "man_made");
-  if (kind.empty() || is_said(tags) || osm::is_lamp(tags)) return {};
+  if (kind.empty() || says_building(tags) || osm::is_lamp(tags)) return {};
   return std::find(kinds.begin(), kinds.end(), kind) == kinds.end() ? std::string() : kind;
 }
 
 MapAreas read_areas(const std::filesystem::path& file, int max_way_nodes) {
   const auto wants = [](const osm::OsmTags& tags) {
-    return is_said(tags) || !find_tall_kind(tags).empty();
+    return says_building(tags) || !find_tall_kind(tags).empty();
   };
   return osm::read_map_areas(file, {{"building", "building:part", "man_made"}, wants},
                              static_cast<std::size_t>(max_way_nodes));
@@ -47,7 +47,7 @@ bool is_building(const MapArea& area) {
 
 void add_own(MapAreas&& areas, FileBuildings& to) {
   for (MapArea& area : areas.areas)
-    if (!is_said(area.tags))
+    if (!says_building(area.tags))
       ++to.tall_things[find_tall_kind(area.tags)];
     else
       (is_building(area) ? to.buildings : to.parts).push_back(std::move(area));
@@ -83,7 +83,7 @@ void add_others(const CityMaps::Areas& others, FileBuildings& to) {
   for (const MapArea& area : to.parts) known.insert(area.id);
   for (const auto& other : others)
     for (const MapArea& area : other->areas) {
-      if (!is_said(area.tags) || replaced.contains(area.id) || !known.insert(area.id).second)
+      if (!says_building(area.tags) || replaced.contains(area.id) || !known.insert(area.id).second)
         continue;
       (is_building(area) ? to.buildings : to.parts).push_back(area);
     }

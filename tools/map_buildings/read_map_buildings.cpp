@@ -150,11 +150,10 @@ class ObjectMaker {
   // `building` is the whole of which the area is a part, or the area itself.
   void add_shells(const MapArea& area, const MapArea& building, const LocalPlane& plane,
                   city::RawObject& raw) {
-    const bool is_part = &area != &building;
-    const BuildingSizes said =
-        find_sizes(is_part ? inherit_height(area.tags, building.tags) : area.tags, skipped_);
-    if (is_part && !said.assumed && find_sizes(area.tags, unused_).assumed)
-      assumed_.add("height of a part of a building, as the building's");
+    const auto inherited =
+        &area == &building ? std::nullopt : inherit_height(area.tags, building.tags);
+    const BuildingSizes said = find_sizes(inherited ? *inherited : area.tags, skipped_);
+    if (inherited) assumed_.add("height of a part of a building, as the building's");
     const auto walls = find_colour(area, building, Skin::walls),
                roof = find_colour(area, building, Skin::roof);
     double highest_m = 0;

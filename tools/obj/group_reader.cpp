@@ -234,15 +234,9 @@ std::string name_by_shape(const Faces& part, const Vertices& vertices) {
   return text;
 }
 
-}  // namespace
-
-namespace {
-
-// Splits the faces of one kind, or all of them.
-void split_kind(const Faces& faces, const Vertices& vertices, std::optional<city::ObjectType> kind,
+// Splits the faces of one kind, or all of them. `sets`: of the vertices in one place.
+void split_kind(const Faces& faces, Sets sets, std::optional<city::ObjectType> kind,
                 std::vector<Faces>& parts) {
-  Sets sets(vertices.places.size());
-  join_same_places(vertices.places, sets);
   const auto begin_of = [&](std::size_t face) { return face == 0 ? 0 : faces.ends[face - 1]; };
   for (std::size_t face = 0; face < faces.size(); ++face)
     if (!kind || faces.kinds[face] == *kind)
@@ -261,13 +255,15 @@ void split_kind(const Faces& faces, const Vertices& vertices, std::optional<city
 }  // namespace
 
 std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices) {
+  Sets sets(vertices.places.size());
+  join_same_places(vertices.places, sets);
   std::vector<Faces> parts;
-  // Where nothing has a name, the ground under houses must not make one of them.
+  // The ground under houses must not make one of them where nothing has a name.
   if (!faces.name.empty())
-    split_kind(faces, vertices, {}, parts);
+    split_kind(faces, std::move(sets), {}, parts);
   else
     for (const city::ObjectType kind : std::set(faces.kinds.begin(), faces.kinds.end()))
-      split_kind(faces, vertices, kind, parts);
+      split_kind(faces, sets, kind, parts);
   for (Faces& part : parts)
     part.name =
         parts.size() == 1 && !faces.name.empty() ? faces.name : name_by_shape(part, vertices);

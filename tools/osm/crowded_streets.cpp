@@ -12,11 +12,8 @@ namespace {
 
 // `lon_lat`: on the globe, so that both numbers have 32 bits.
 std::uint64_t to_key(const glm::dvec2& lon_lat) {
-  const auto to_steps = [](double degrees) {
-    return static_cast<std::uint32_t>(
-        static_cast<std::int32_t>(std::lround(degrees / resolution_degrees)));
-  };
-  return std::uint64_t{to_steps(lon_lat.x)} << 32 | to_steps(lon_lat.y);
+  const auto part = [](double degrees) { return static_cast<std::uint32_t>(to_steps(degrees)); };
+  return std::uint64_t{part(lon_lat.x)} << 32 | part(lon_lat.y);
 }
 
 }  // namespace

@@ -23,10 +23,6 @@ bool on_globe(const glm::dvec2& lon_lat) {
   return std::abs(lon_lat.x) <= 180 && std::abs(lon_lat.y) <= 90;
 }
 
-std::int32_t to_steps(double degrees) {
-  return static_cast<std::int32_t>(std::lround(degrees / resolution_degrees));
-}
-
 glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
   // The end of an area repeats its beginning.
   const bool closed = points.size() > 1 && points.front() == points.back();
@@ -57,7 +53,8 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
   if (version.deleted) return places_.push_back({key, version.rank(), deleted_lon, 0});
   if (!on_globe(lon_lat)) return count_bad_node();
   ++nodes_;
-  places_.push_back({key, version.rank(), to_steps(lon_lat.x), to_steps(lon_lat.y)});
+  places_.push_back({key, version.rank(), static_cast<std::int32_t>(to_steps(lon_lat.x)),
+                     static_cast<std::int32_t>(to_steps(lon_lat.y))});
   if (is_gone(tags, today_) && !is_lamp(tags)) {
     data_.gone += may_shine(tags) || is_control(tags) || is_crossing(tags) || is_square(tags) ||
                   is_tree(tags) || is_gate(tags);

@@ -1,12 +1,12 @@
 #include "tools/osm/repeated_things.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <unordered_map>
 #include <vector>
 
+#include "tools/osm/place_steps.h"
 #include "tools/random.h"
 
 namespace nightcity::osm {
@@ -14,21 +14,13 @@ namespace {
 
 using Keys = std::initializer_list<const char*>;
 
-std::uint64_t hash_place(const glm::dvec2& p) {
-  constexpr double steps_a_degree = 1e7;  // those of a map
-  const auto step = [](double degrees) {
-    return static_cast<std::uint64_t>(std::llround(degrees * steps_a_degree));
-  };
-  return mix(mix(step(p.x)) ^ step(p.y));
-}
-
 // A line is the same in either direction, a ring from any of its places on.
 std::uint64_t hash_line(const std::vector<glm::dvec2>& line) {
   std::uint64_t forward = line.size(), backward = line.size(), ring = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    forward = mix(forward ^ hash_place(line[i]));
-    backward = mix(backward ^ hash_place(line[line.size() - 1 - i]));
-    if (i > 0) ring += hash_place(line[i]);
+    forward = mix(forward ^ hash_place(round_to_steps(line[i])));
+    backward = mix(backward ^ hash_place(round_to_steps(line[line.size() - 1 - i])));
+    if (i > 0) ring += hash_place(round_to_steps(line[i]));
   }
   const bool is_closed = line.size() > 2 && line.front() == line.back();
   return is_closed ? mix(ring) : std::min(forward, backward);
@@ -80,7 +72,7 @@ std::size_t leave_out_repeated(OsmData& map) {
                     "tourism", "layer", "level", "min_height"},
                    of_area) +
          leave_out(map.trees, {"layer", "level"},
-                   [](const OsmPoint& tree) { return hash_place(tree.lon_lat); });
+                   [](const OsmPoint& tree) { return hash_place(round_to_steps(tree.lon_lat)); });
 }
 
 }  // namespace nightcity::osm

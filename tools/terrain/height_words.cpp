@@ -164,16 +164,6 @@ class HeightWords final : public city::ByteSource {
   bool ended_ = false, changed_ = false;
 };
 
-// Passes on what another source reads, which stays its owner's.
-class Borrowed final : public city::ByteSource {
- public:
-  explicit Borrowed(city::ByteSource& source) : source_(source) {}
-  std::size_t read(char* out, std::size_t size) override { return source_.read(out, size); }
-
- private:
-  city::ByteSource& source_;
-};
-
 }  // namespace
 
 bool begins_as_text(std::string_view start) {
@@ -187,9 +177,9 @@ std::unique_ptr<city::ByteSource> replace_height_words(std::unique_ptr<city::Byt
   return std::make_unique<HeightWords>(std::move(source));
 }
 
-bool has_height_words(city::ByteSource& source) {
+bool has_height_words(std::unique_ptr<city::ByteSource> source) {
   constexpr std::size_t piece = 1 << 16;
-  HeightWords words(std::make_unique<Borrowed>(source));
+  HeightWords words(std::move(source));
   std::string unused(piece, '\0');
   while (!words.has_changed() && words.read(unused.data(), unused.size()) > 0) continue;
   return words.has_changed();

@@ -19,6 +19,6 @@ bool begins_as_text(std::string_view start);
 std::unique_ptr<city::ByteSource> replace_height_words(std::unique_ptr<city::ByteSource> source);
 
 /// Returns whether that changes anything.
-bool has_height_words(city::ByteSource& source);
+bool has_height_words(std::unique_ptr<city::ByteSource> source);
 
 }  // namespace nightcity::terrain

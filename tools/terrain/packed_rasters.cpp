@@ -48,7 +48,7 @@ std::string read_start_as_it_is(const city::Document& document) {
 
 bool is_to_be_straightened(const city::Document& text) {
   const std::string start = read_start_as_it_is(text);
-  return is_odd_text(start) || (begins_as_text(start) && has_height_words(*text.open_as_it_is()));
+  return is_odd_text(start) || (begins_as_text(start) && has_height_words(text.open_as_it_is()));
 }
 
 bool is_raster_name(const std::string& name) {

@@ -151,8 +151,8 @@ TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
 }
 
 // Some light would never be sampled, and the picture would silently be darker.
-// Of a red and a blue lamp in one place, which give the same luminance, each pixel of a frame draws
-// one. Half of all pairs then draw one of each, and their pixels show both: three parts of their
+// A red and a blue lamp in one place give the same luminance, and each pixel of a frame draws one
+// of them. Half of all pairs then draw one of each, and their pixels show both: three parts of their
 // own, whose weight is 1/2 + 1/2 (1 - 1/2), and one of their partner's.
 TEST(Pairs, APixelShowsTheColoursOfAllSamplesThatItCombines) {
   Light red = lamp({0, 200, 0}, 5e6f), blue = red;

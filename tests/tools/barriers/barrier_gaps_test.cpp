@@ -1,4 +1,4 @@
-// Where a barrier stops: at gates, paths, streets and houses.
+// Barriers stop at gates, paths, streets and houses.
 #include <gtest/gtest.h>
 
 #include <algorithm>

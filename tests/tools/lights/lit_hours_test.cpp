@@ -34,9 +34,7 @@ TEST(NightSchedule, LitHoursAsPeopleWriteThem) {
       {"(sunset+00:15) - 23:00, (dawn-01:30)-sunrise", night({{15, 360}, {750, 840}})},
   };
   for (const auto& [text, schedule] : known) {
-    const auto hours = parse_lit_hours(text);
-    ASSERT_TRUE(hours) << text;
-    EXPECT_EQ(*hours, schedule) << text;
+    EXPECT_EQ(parse_lit_hours(text), schedule) << text;
   }
   for (const char* text :
        {"", "yes", "sometimes", "23:00", "23:00-", "18", "20:00-22:00;21:00-23:00", "18:00-49:00",
@@ -61,9 +59,7 @@ TEST(NightSchedule, OfHoursThatDifferByTheDayThoseOfAWednesdayHold) {
       {"06:00-08:00,16:00-22:00", night({{0, 300}, {780, 840}})},
   };
   for (const auto& [text, schedule] : known) {
-    const auto hours = parse_lit_hours(text);
-    ASSERT_TRUE(hours) << text;
-    EXPECT_EQ(*hours, schedule) << text;
+    EXPECT_EQ(parse_lit_hours(text), schedule) << text;
   }
   for (const char* text : {"We[1 17:00-22:00", "Moo-Fr", "Mo-Fr 20:00-22:00;We[0]"})
     EXPECT_FALSE(parse_lit_hours(text)) << text;
@@ -73,9 +69,7 @@ TEST(NightSchedule, DaysWithoutHoursAreWholeDays) {
   const NightSchedule all = dark_between(night_minutes, night_minutes);
   for (const char* text : {"Mo-Fr", "Mo-Fr;", "PH off", "Oct-Mar", "Dec", "Apr-Sep off",
                            "week 40-53", "Mo-Fr 20:00-22:00;We,Th"}) {
-    const auto hours = parse_lit_hours(text);
-    ASSERT_TRUE(hours) << text;
-    EXPECT_EQ(*hours, all) << text;
+    EXPECT_EQ(parse_lit_hours(text), all) << text;
   }
   for (const char* text :
        {"Sa,Su", "PH", "Apr-Sep", "Dec off", "closed", "week 1-26", "24/7 off"}) {
@@ -93,9 +87,7 @@ TEST(NightSchedule, WordsRoundHoursAreNoHours) {
         "5pm to 10pm", "17:00-22:00 \"on demand\"", "17:00-22:00 || \"on demand\"",
         "17:00-22:00 || unknown", "sunset/22:00", "week 40-53 17:00-22:00",
         "week 1-13,40-53 17:00-22:00"}) {
-    const auto hours = parse_lit_hours(text);
-    ASSERT_TRUE(hours) << text;
-    EXPECT_EQ(*hours, evening) << text;
+    EXPECT_EQ(parse_lit_hours(text), evening) << text;
   }
   EXPECT_TRUE(parse_lit_hours("week 1-10 17:00-22:00")->never());
   EXPECT_FALSE(parse_lit_hours("week 1-10 17:00-22:00", Half::south)->lit_at(minute_of(18, 0)));
@@ -142,9 +134,7 @@ TEST(NightSchedule, HoursBySeasonOffOpenEndedAndOnClocksOfTwelveHours) {
       {"17:00-22:00; Dec 18:00-23:00", night({{60, 360}})},
   };
   for (const auto& [text, schedule] : known) {
-    const auto hours = parse_lit_hours(text);
-    ASSERT_TRUE(hours) << text;
-    EXPECT_EQ(*hours, schedule) << text;
+    EXPECT_EQ(parse_lit_hours(text), schedule) << text;
   }
   for (const char* text : {"13pm-14pm", "0am-5am", "930-1200", "17:00-22:00+", "winter 17:00-22:00",
                            "+", "off on", "Oct- 17:00-22:00", "17:00-23:00,22:00-05:00 off",
@@ -157,9 +147,7 @@ TEST(NightSchedule, WeekdaysThatAreCountedInTheirMonth) {
   const NightSchedule evening{{minute_of(17, 0)}, {minute_of(22, 0)}};
   for (const char* text : {"We[3] 17:00-22:00", "We[-3] 17:00-22:00", "We[1,3] 17:00-22:00",
                            "We[2-4] 17:00-22:00", "Mo[1],We[3],Fr 17:00-22:00"}) {
-    const auto hours = parse_lit_hours(text);
-    ASSERT_TRUE(hours) << text;
-    EXPECT_EQ(*hours, evening) << text;
+    EXPECT_EQ(parse_lit_hours(text), evening) << text;
   }
   for (const char* text : {"We[1] 17:00-22:00", "We[-1] 17:00-22:00", "Mo[3] 17:00-22:00"})
     EXPECT_TRUE(parse_lit_hours(text).value_or(evening).never()) << text;
@@ -180,9 +168,7 @@ TEST(NightSchedule, YearsAndEaster) {
         "17:00-22:00; easter -2 days-easter +1 day off", "easter-Dec 31 17:00-22:00",
         "2024 off; 17:00-22:00", "17:00-22:00; 2026 Dec 24-26 off", "Oct-Mar 17-22", "17-22",
         "sunset-22", "Mo-Fr 17-22:00"}) {
-    const auto hours = parse_lit_hours(text);
-    ASSERT_TRUE(hours) << text;
-    EXPECT_EQ(*hours, evening) << text;
+    EXPECT_EQ(parse_lit_hours(text), evening) << text;
   }
   for (const char* text :
        {"2025 Dec 17:00-22:00", "2020-2024 17:00-22:00", "2027+ 17:00-22:00", "easter 17:00-22:00",

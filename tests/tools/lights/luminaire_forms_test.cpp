@@ -334,6 +334,11 @@ TEST_F(LuminaireForms, EulumdatOfSeveralSetsTellsWhichIsUsed) {
   ASSERT_EQ(two.notes.size(), 1u);
   EXPECT_NE(two.notes[0].find("2 sets of lamps, of which the first is used"), std::string::npos);
   EXPECT_TRUE(read(with("1000"), "a.ldt").notes.empty()) << "of the same light";
+  const std::string three =
+      replaced(with("4000"), "2\n1\nLED\n1000\n", "3\n1\nLED\n1000\n3000\n80\n20\n1\nLED\n4000\n");
+  const std::string back =
+      replaced(three, "LED\n4000\n3000\n80\n10\n", "LED\n1000\n3000\n80\n10\n");
+  EXPECT_EQ(read(back, "a.ldt").notes.size(), 1u) << "the last is as the first, and one is not";
 }
 
 TEST_F(LuminaireForms, EulumdatHasNoNegativeSizesAndFluxes) {

@@ -1,4 +1,4 @@
-// What the maps of a city keep, and for whom.
+// Maps keep their buildings for one city, and as long as it lives.
 #include <gtest/gtest.h>
 
 #include <filesystem>

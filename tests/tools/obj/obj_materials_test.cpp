@@ -117,7 +117,7 @@ TEST(Obj, MaterialsSayWhatIsNoBuildingWhereNamesDoNot) {
   EXPECT_EQ(types_of("o House 4\nusemtl terrain\nf 1 2 3\no x\nf 3 4 5\n"), "building relief ");
   EXPECT_EQ(types_of("o x\nusemtl ground\nf 1 2 3\no y\nusemtl Water pipe\nf 3 4 5\n"),
             "building building ");
-  // What hangs together is not one object where the materials are of two kinds.
+  // Faces that hang together are two objects where their materials are of two kinds.
   EXPECT_EQ(types_of("usemtl Terrain\nf 1 2 3\nusemtl Building\nf 3 4 5 6\nusemtl Terrain\n"
                      "f 1 3 4\n"),
             "building relief ");
