@@ -82,8 +82,8 @@ struct Frame {
   BUFFER(Reservoirs) previous_reservoirs;
   // Written by pair_targets.comp, a picture for each pairing: the pixel's partner, or NO_HIT.
   BUFFER(Words) pair_partners;
-  // What the pixel reflects of its own sample and, a picture for each pairing, of its partner's
-  // sample. Those of empty reservoirs are not written.
+  // They say what the pixel reflects of its own sample and, a picture for each pairing, of its
+  // partner's. Those of empty reservoirs are not written.
   BUFFER(ReflectedSamples) pair_samples;
   BUFFER(PixelBlocks) blocks;
   BUFFER(PixelBlocks) previous_blocks;

@@ -81,8 +81,7 @@ void main() {
   Reuse reuse = begin_reuse(canonical, target_of(own), others_M);
   for (uint i = 0u; i < found; ++i) {
     const Reservoir other = FRAME.reservoirs.at[partners[i]];
-    const ReflectedSample here =
-        reflected_of(other, pair_sample_place(pairings[i], index));
+    const ReflectedSample here = reflected_of(other, pair_sample_place(pairings[i], index));
     PairTargets p;
     p.other_here = target_of(here);
     p.other_there = target_of(reflected_of(other, partners[i]));

@@ -94,7 +94,7 @@ struct PixelBlock {
   uint hidden;  // those of them that met one
 };
 
-// What a surface reflects of a sample towards the viewer. 16 bytes.
+// Tells what a surface reflects of a sample towards the viewer. 16 bytes.
 struct ReflectedSample {
   vec3 in_clear_air;  // cd/m^2 per unit of uv: its luminance is the target function
   float passed;       // the share that the air between light and surface lets pass

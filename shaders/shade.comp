@@ -50,13 +50,11 @@ bool has_light_of_pairs(uvec2 pixel) {
 vec3 reflected_direct(Receiver receiver, uint index, inout LightLayers layers) {
   const Reservoir reservoir = FRAME.spatial.at[index];
   if (!(reservoir.W > 0.0 && reservoir.light < SCENE.light_count)) return vec3(0.0);
-  const Light light = light_at(reservoir.light);
-  const LightSample s = sample_point(light, uv_of(reservoir.uv), receiver.position);
   // With shadowed targets the sample is known to be visible: an occluded one has W = 0.
-  if (!has_shadowed_target(ESTIMATOR) && occluded(receiver.origin, s.point, false))
-    return vec3(0.0);
-  const vec3 direct = reflected(receiver, s) * reservoir.W;
-  add_direct(layers, reservoir.light, light, direct);
+  const ReflectedSample s = reflected_sample(receiver, reservoir.light, reservoir.uv,
+                                             !has_shadowed_target(ESTIMATOR));
+  const vec3 direct = s.in_clear_air * (s.passed * reservoir.W);
+  add_direct(layers, reservoir.light, light_at(reservoir.light), direct);
   return direct;
 }
 

@@ -17,6 +17,7 @@ void add_sampling(std::map<std::string, std::size_t>& bytes, const RenderSetting
   if (traits.reuses && settings.reuse.max_history > 0)
     bytes["temporal"] = 2 * surface + 3 * reservoir;
   const std::size_t neighbours = traits.reuses ? settings.reuse.neighbours : 0;
+  const bool in_pairs = neighbours > 0 && traits.pairs && traits.shadowed_target;
   if (neighbours == 0) {
     bytes["copy"] = 2 * reservoir;
   } else if (traits.pairs) {
@@ -24,11 +25,10 @@ void add_sampling(std::map<std::string, std::size_t>& bytes, const RenderSetting
     const std::size_t pairs =
         pairings_of(settings.reuse) * word + (neighbours + 1) * sizeof(gpu::ReflectedSample);
     bytes["spatial targets"] = surface + reservoir + pairs;
-    bytes["spatial"] = pairs + 2 * reservoir + (traits.shadowed_target ? mean : 0);
+    bytes["spatial"] = pairs + 2 * reservoir + (in_pairs ? mean : 0);
   } else {
     bytes["spatial"] = surface + 2 * reservoir;
   }
-  const bool in_pairs = neighbours > 0 && traits.pairs && traits.shadowed_target;
   bytes["shade"] = surface + (in_pairs ? mean : reservoir) + mean;
   if (settings.sampling.layers) bytes["shade"] += 2 * sizeof(gpu::LayerSums);
 }
