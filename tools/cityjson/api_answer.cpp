@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/city/text_encoding.h"
+#include "tools/cityjson/document_index.h"
 #include "tools/cityjson/document_text.h"
 #include "tools/cityjson/json.h"
 
@@ -17,9 +18,11 @@ namespace {
 
 constexpr std::size_t bytes_that_tell = 65536;
 
-// Keeps other documents, which may be long, from being read for this.
+// Keeps other documents, which may be long, from being read for this. An answer has its features in
+// one value, a sequence has them behind the first, whatever key that begins with.
 bool begins_as_answer(std::string_view start) {
-  if (start.find("\"CityJSONFeature\"") == start.npos) return false;
+  const std::size_t feature = start.find("\"CityJSONFeature\"");
+  if (feature == start.npos || feature > ValueEnd().find(start)) return false;
   const std::size_t brace = start.find('{');
   if (brace == start.npos) return false;
   start.remove_prefix(std::min(start.find('"', brace), start.size()));

@@ -132,5 +132,21 @@ TEST(CityJsonSeq, AServersAnswerIsASequence) {
   }
 }
 
+// An answer is held as a whole, so it is bounded; a sequence may be of any length.
+TEST(CityJsonSeq, AHeaderWhoseKeysComeAsAnAnswersIsASequence) {
+  const std::string more =
+      std::string("\"version\":\"2.0\",") + transform + ",\"CityObjects\":{},\"vertices\":[]}\n";
+  city::ReadOptions options;
+  options.max_member_mb = 1;
+  std::string features;
+  std::size_t count = 0;
+  for (; features.size() < 2u << 20; ++count)
+    features += feature("b", object("b" + std::to_string(count), "Building", solid()));
+  for (const char* first :
+       {"\"metadata\":{\"referenceSystem\":\"EPSG:7415\"},\"type\":\"CityJSON\",",
+        "\"id\":\"x\",\"type\":\"CityJSON\","})
+    EXPECT_EQ(read_city("{" + std::string(first) + more + features, options).objects.size(), count);
+}
+
 }  // namespace
 }  // namespace nightcity::cityjson
