@@ -1,6 +1,9 @@
 #include "tools/cityjson/read_cityjson.h"
 
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +20,16 @@ constexpr std::size_t start_bytes = 65536;
 
 std::string_view skip_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+// Returns whether a member of that name, in quotes, has a value that begins as `begins` says.
+template <class Begins>
+bool has_member(std::string_view text, std::string_view key, const Begins& begins) {
+  for (std::size_t at = text.find(key); at != text.npos; at = text.find(key, at + 1)) {
+    const std::string_view behind = skip_blanks(text.substr(at + key.size()));
+    if (behind.starts_with(':') && begins(skip_blanks(behind.substr(1)))) return true;
+  }
+  return false;
 }
 
 // Puts the sequence that a server's answer holds in its place.
@@ -54,18 +67,22 @@ std::vector<city::Document> list_cityjson(const std::filesystem::path& file,
 bool begins_as_cityjson(std::string_view start) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   if (start.starts_with(record_separator)) start.remove_prefix(1);
-  if (!skip_blanks(start).starts_with('{')) return false;
-  // Members come in any order, but of a member of that name no other format knows.
-  if (start.find("\"CityObjects\"") != std::string_view::npos) return true;
-  constexpr std::string_view key = "\"type\"";
-  for (std::size_t at = start.find(key); at != std::string_view::npos;
-       at = start.find(key, at + 1)) {
-    std::string_view value = skip_blanks(start.substr(at + key.size()));
-    if (!value.starts_with(':')) continue;
-    value = skip_blanks(value.substr(1));
-    if (value.starts_with("\"CityJSON\"") || value.starts_with("\"CityJSONFeature\"")) return true;
-  }
-  return false;
+  start = skip_blanks(start);
+  if (!start.starts_with('{')) return false;
+  // Members come in any order, and one may fill the whole start. Of members of these names, or of
+  // these places, no other format knows.
+  if (skip_blanks(start.substr(1)).starts_with("\"appearance\"")) return true;
+  for (const std::string_view key : {"\"CityObjects\"", "\"geometry-templates\""})
+    if (start.find(key) != std::string_view::npos) return true;
+  return has_member(start, "\"type\"",
+                    [](std::string_view value) {
+                      return value.starts_with("\"CityJSON\"") ||
+                             value.starts_with("\"CityJSONFeature\"");
+                    }) ||
+         // Other formats have numbers alone in such an array.
+         has_member(start, "\"vertices\"", [](std::string_view value) {
+           return value.starts_with('[') && skip_blanks(value.substr(1)).starts_with('[');
+         });
 }
 
 city::CityHead read_cityjson_head(const std::filesystem::path& file,

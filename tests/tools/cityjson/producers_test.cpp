@@ -99,6 +99,25 @@ TEST(CityJsonProducers, ASequenceMayHaveRecordSeparators) {
   EXPECT_EQ(read_city(text).objects.size(), 2u);
 }
 
+// JSON leaves the order to the writer: the first 64 KiB may hold one long member.
+TEST(CityJsonProducers, ACityIsRecognisedByWhateverItBeginsWith) {
+  for (const char* start :
+       {"{\"vertices\": [\n[1,2,3],", "{\"version\":\"2.0\",\"vertices\":[[1,2,3],",
+        "{\"geometry-templates\":{\"templates\":[", "{ \"appearance\":{\"textures\":[",
+        "{\"metadata\":{},\"type\" : \"CityJSON\",", "{\"CityObjects\":{"})
+    EXPECT_TRUE(begins_as_cityjson(start)) << start;
+  for (const char* start :
+       {"{\"vertices\":[1,2,3,", "{\"features\":[{\"properties\":{\"appearance\":1},",
+        "{\"type\":\"Topology\",\"transform\":{", "{\"vertices\":\"[[1\",",
+        "[{\"vertices\":[[1,2,3],"})
+    EXPECT_FALSE(begins_as_cityjson(start)) << start;
+  std::string text = city_json(object("b", "Building", solid()));
+  const std::string vertices = std::string("\"vertices\":") + box_vertices;
+  text.erase(text.rfind(vertices) - 1, vertices.size() + 1);
+  text.insert(1, vertices + std::string(100'000, ' ') + ",");
+  EXPECT_NEAR(volume(read_city(text).objects.at(0)), 24, 1e-9);
+}
+
 TEST(CityJsonProducers, StoreysHaveOtherNamesAndHeightsTheirUnits) {
   const std::string plan = "{\"type\":\"MultiSurface\",\"lod\":\"0\",\"boundaries\":[[[0,1,2,3]]]}";
   for (const char* said : {"\"levels\":3", "\"Anzahl_Geschosse\":\"3\"", "\"height\":\"9 m\"",
