@@ -46,8 +46,8 @@ struct ReadReport {
   /// Passes each field to an archive (tools/archive.h).
   template <class Archive>
   void visit(Archive& archive) {
-    archive(version, srs_name, objects, polygons, skipped, passed_over, warnings, extruded, flat,
-            as_measured, above_measured, below_measured, needs_whole_file);
+    archive(version, srs_name, objects, polygons, skipped, assumed, passed_over, warnings, extruded,
+            flat, as_measured, above_measured, below_measured, needs_whole_file);
   }
 };
 

@@ -34,6 +34,32 @@ TEST(Parts, AnyNumberOfThemGivesTheBytesOfTheWholeBake) {
   expect_parts_as_whole(folder / "town.toml", folder.path(), {1, 2, 3, 16});
 }
 
+// What the file does not say is counted in the part that reads it.
+TEST(Parts, BuildingsOfAMapAreCountedAsInTheWholeBake) {
+  const TempFolder folder;
+  std::string map = "<osm version=\"0.6\">\n";
+  constexpr int houses = 9;
+  std::string ways;
+  for (int house = 0; house < houses; ++house) {
+    std::string way = "<way id=\"" + std::to_string(1 + house) + "\">";
+    for (int corner = 0; corner < 4; ++corner) {
+      const int node = 1 + 4 * house + corner;
+      const double lat = 48 + 0.0002 * (corner == 1 || corner == 2);
+      const double lon = 11 + 0.001 * house + 0.0002 * (corner > 1);
+      map += "<node id=\"" + std::to_string(node) + "\" lat=\"" + std::to_string(lat) +
+             "\" lon=\"" + std::to_string(lon) + "\"/>\n";
+      way += "<nd ref=\"" + std::to_string(node) + "\"/>";
+    }
+    way += "<nd ref=\"" + std::to_string(1 + 4 * house) + "\"/>";
+    ways += way + "<tag k=\"building\" v=\"yes\"/></way>\n";
+  }
+  write(folder / "map.osm", map + ways + "</osm>\n");
+  write(folder / "map.toml", "[osm]\nfiles = [\"map.osm\"]\n");
+  expect_parts_as_whole(folder / "map.toml", folder.path(), {3});
+  const nlohmann::json report = report_of(folder / "3");
+  EXPECT_EQ(report["citygml"]["assumed"]["height of a building that the map does not say"], houses);
+}
+
 TEST(Parts, FilesOfACityMayBeNamedInAnyOrder) {
   const TempFolder folder;
   for (const int n : {0, 1, 2}) {

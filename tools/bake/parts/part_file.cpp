@@ -13,7 +13,7 @@ namespace nightcity::bake {
 namespace {
 
 // Raised when a part holds something else than before.
-constexpr char magic[8] = {'N', 'C', 'P', 'A', 'R', 'T', '0', '4'};
+constexpr char magic[8] = {'N', 'C', 'P', 'A', 'R', 'T', '0', '5'};
 
 struct Frame {
   std::uint32_t kind, unused;
