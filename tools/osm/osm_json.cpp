@@ -1,5 +1,7 @@
 #include "tools/osm/osm_json.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -91,8 +93,12 @@ bool begins_as_osm_json(std::string_view start) {
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == start.npos || start[first] != '{') return false;
   const auto holds = [start](std::string_view text) { return start.find(text) != start.npos; };
-  return holds("\"osm3s\"") ||
-         (holds("\"elements\"") && (holds("\"generator\"") || holds("\"version\"")));
+  if (holds("\"osm3s\"")) return true;
+  if (!holds("\"elements\"")) return false;
+  // A program that sorts keys puts the elements first, and what the server says behind them.
+  constexpr std::array<std::string_view, 6> marks{"\"generator\"", "\"version\"",  "\"node\"",
+                                                  "\"way\"",       "\"relation\"", "\"minlat\""};
+  return std::any_of(marks.begin(), marks.end(), holds);
 }
 
 void write_as_xml(const city::Document& file, ScratchFile& xml, std::size_t max_bytes) {

@@ -57,6 +57,27 @@ TEST(OsmJson, PlacesAtWaysAndMembersAreRead) {
   EXPECT_EQ(found.areas.size(), 1u);
 }
 
+// As `jq -S` and others write it: by name, so that the elements come before what says whose they
+// are.
+TEST(OsmJson, MembersMayStandInAnyOrder) {
+  const TempFolder folder;
+  const auto lamps = [&](std::string_view elements, std::string_view rest) {
+    write_text(folder / "map.json",
+               "{\"elements\": [\n" + std::string(elements) + "]" + std::string(rest) + "}");
+    return read_osm(folder / "map.json").lamps.size();
+  };
+  const std::string lamp =
+      R"({"id": 1, "lat": 1, "lon": 2, "tags": {"highway": "street_lamp"}, "type": "node"})";
+  const std::string way =
+      R"({"bounds": {"maxlat": 2, "maxlon": 2, "minlat": 1, "minlon": 1}, "geometry": [)" +
+      std::string(2000, ' ') + R"(], "id": 7, "nodes": [], "type": "way"})";
+  EXPECT_EQ(lamps(lamp, ", \"generator\": \"Overpass API\", \"version\": 0.6"), 1u);
+  EXPECT_EQ(lamps(lamp, ""), 1u);
+  EXPECT_EQ(lamps(way + "," + lamp, ""), 1u);
+  EXPECT_FALSE(begins_as_osm_json(R"({"elements":[{"symbol":"H","number":1}]})"));
+  EXPECT_FALSE(begins_as_osm_json(R"({"lamps":[{"type":"node","lat":1}]})"));
+}
+
 TEST(OsmJson, MayBePacked) {
   const TempFolder folder;
   test::pack_zip(folder / "map.zip", {{"export.json", nodes}, {"meta.json", "{\"a\":1}"}});
