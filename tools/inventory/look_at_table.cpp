@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/to_lower.h"
+#include "tools/city/packing.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/text_places.h"
@@ -178,9 +179,9 @@ int rate_as_lamps(OGRLayer& layer, const std::string& format) {
 bool is_named_as_table(const std::filesystem::path& file) {
   const std::string ending = to_lower(file.extension().string());
   for (const char* known : {".geojson", ".geojsonl", ".csv", ".tsv", ".gpkg", ".shp", ".fgb",
-                            ".json", ".jsonl", ".ndjson", ".zip", ".shz", ".gz"})
+                            ".json", ".jsonl", ".ndjson", ".shz"})
     if (ending == known) return true;
-  return false;
+  return city::is_named_as_packed(to_lower(file.filename().string()));
 }
 
 TableLook look_at_table(const std::filesystem::path& file) {

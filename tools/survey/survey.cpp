@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/packing.h"
 #include "tools/city/text_encoding.h"
 #include "tools/georeference/frame.h"
 #include "tools/inputs/city_files.h"
@@ -241,9 +242,10 @@ SurveyedFile look_at(const fs::path& path) {
     if (attempt(look_at_table)) return file;
     // The words for what a table lacks say more than that it is no city model; but JSON and
     // archives may be anything.
-    constexpr std::array<std::string_view, 6> of_all_kinds{".json", ".jsonl", ".ndjson",
-                                                           ".gz",   ".zip",   ".shz"};
-    if (!is_table && city::ends_with_any(to_lower(path.string()), of_all_kinds)) why = as_other;
+    constexpr std::array<std::string_view, 4> of_all_kinds{".json", ".jsonl", ".ndjson", ".shz"};
+    const std::string name = to_lower(path.filename().string());
+    if (!is_table && (city::ends_with_any(name, of_all_kinds) || city::is_named_as_packed(name)))
+      why = as_other;
   }
   try {
     look_at_raster(file);
