@@ -11,6 +11,7 @@
 #include "tools/city/file_stamp.h"
 #include "tools/city/libarchive_reader.h"
 #include "tools/city/packing.h"
+#include "tools/city/rar_sums.h"
 #include "tools/city/stream_source.h"
 #include "tools/city/text_encoding.h"
 #include "tools/city/unpacked_archive.h"
@@ -21,31 +22,6 @@ namespace nightcity::city {
 namespace {
 
 constexpr std::size_t copied_block = std::size_t{1} << 16;
-
-// The first volume of a RAR archive says so in its main header: in version 4 at a fixed place, in
-// version 5 behind numbers of seven bits a byte.
-bool is_rar_volume(std::string_view start) {
-  constexpr std::size_t flags_of_4 = 10, numbers_of_5 = 12;
-  constexpr unsigned char volume = 1, has_extra = 1, has_data = 2;
-  if (!start.starts_with("Rar!\x1A\x07\x01"))
-    return start.size() > flags_of_4 && (start[flags_of_4] & volume) != 0;
-  std::size_t at = numbers_of_5;
-  const auto next = [&] {
-    std::uint64_t value = 0;
-    for (unsigned shift = 0; at < start.size() && shift < 63; shift += 7) {
-      const auto byte = static_cast<unsigned char>(start[at++]);
-      value |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
-      if (byte < 0x80) break;
-    }
-    return value;
-  };
-  next();  // the header's size
-  const bool is_main = next() == 1;
-  const std::uint64_t flags = next();
-  if ((flags & has_extra) != 0) next();
-  if ((flags & has_data) != 0) next();
-  return is_main && (next() & volume) != 0;
-}
 
 std::shared_ptr<ScratchFile> copy_to_scratch(ByteSource& source, UnpackedSize& unpacked) {
   auto file = std::make_shared<ScratchFile>(scratch_folder() / "archive");
@@ -74,7 +50,8 @@ std::optional<ArchiveListing> list_one(const std::string& path, const std::strin
   if (is_archive(packing)) {
     if (packing == Packing::rar && is_rar_volume(start)) throw Error(name, volume_words);
     LibarchiveReader reader(packing, path, name);
-    return unpack_archive(reader, unpacked);
+    return unpack_archive(reader, unpacked,
+                          packing == Packing::rar ? list_rar_sums(path) : EntrySums());
   }
   auto source = unpack_stream(packing, open_file(path), name, find_packed_size(path));
   std::string inner_start = read_next(*source, packing_bytes);

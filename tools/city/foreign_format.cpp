@@ -95,7 +95,6 @@ std::string explain(std::string_view bytes, std::string_view name, bool wants_mo
   if (const std::string_view packed = describe_packed(bytes); !packed.empty())
     return std::string(packed);
   if (const auto packed = find_packed(bytes, name)) return to_words(*packed);
-  if (name.ends_with(".gz") || name.ends_with(".tgz")) return {};
   if (name.ends_with("3dscenelayer.json"))
     return to_words({"is a scene layer of I3S", tile.remedy, leads_to_model});
   const std::string_view text = skip_blanks(bytes);

@@ -83,6 +83,8 @@ LibarchiveReader::LibarchiveReader(Packing packing, std::unique_ptr<ByteSource> 
   source_ = std::move(source);
   block_.resize(pulled_block);
   check(archive_read_open(reader_.get(), this, nullptr, pull, nullptr), false);
+  // Bytes that no filter takes would pass as they are.
+  if (is_stream(packing_) && archive_filter_count(reader_.get()) < 2) fail("damaged");
 }
 
 LibarchiveReader::LibarchiveReader(Packing packing, const std::string& path, std::string name)
@@ -116,6 +118,10 @@ void LibarchiveReader::fail() {
   if (thrown_) std::rethrow_exception(thrown_);
   const char* said = archive_error_string(reader_.get());
   const std::string why = said ? to_valid_utf8(said) : "damaged";
+  fail(why);
+}
+
+void LibarchiveReader::fail(const std::string& why) const {
   const std::string lower = to_lower(why);
   if (is_named_as_volume(to_lower(name_))) throw Error(name_, volume_words);
   for (const char* word : {"encrypt", "crypto", "password"})

@@ -37,6 +37,8 @@ class LibarchiveReader {
   std::size_t read(char* out, std::size_t size);
   /// Throws Error where the source holds more that is broken, or a tar ends without its mark.
   void require_end();
+  /// Throws Error: it is broken, for this reason.
+  [[noreturn]] void fail(const std::string& why) const;
 
  private:
   struct Deleter {

@@ -107,9 +107,13 @@ std::string_view without_stream_ending(std::string_view name) {
 }
 
 bool is_named_as_volume(std::string_view name) {
-  return find_ending(name, std::array{".7z.001"sv, ".zip.001"sv, ".rar.001"sv, ".tar.001"sv,
-                                      ".gz.001"sv}) > 0 ||
-         (name.ends_with(".rar") && name.find(".part") != name.npos);
+  if (name.ends_with(".rar")) return name.find(".part") != name.npos;
+  const std::size_t point = name.rfind('.');
+  if (point == name.npos || name.size() - point != std::string_view(".001").size()) return false;
+  const std::string_view number = name.substr(point + 1);
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return std::all_of(number.begin(), number.end(), is_digit) &&
+         is_named_as_archive(name.substr(0, point));
 }
 
 bool is_named_as_archive(std::string_view name) {

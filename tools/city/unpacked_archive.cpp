@@ -2,6 +2,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <string_view>
@@ -31,13 +32,18 @@ class UnpackedArchive : public OpenArchive, public std::enable_shared_from_this<
   std::uint64_t kept_bytes() const override { return bytes_.size(); }
   std::unique_ptr<ByteSource> open(std::uint64_t index, const std::string& name) override;
 
-  /// Adds the entry that the reader stands at, and returns its index.
-  std::uint64_t add(LibarchiveReader& reader, bool is_encrypted, UnpackedSize& unpacked) {
+  /// Adds the entry that the reader stands at, and returns its index. `sum` becomes the CRC-32 of
+  /// its bytes, unless it is null.
+  std::uint64_t add(LibarchiveReader& reader, bool is_encrypted, std::uint32_t* sum,
+                    UnpackedSize& unpacked) {
     pieces_.push_back({bytes_.size(), 0, is_encrypted});
     if (is_encrypted) return pieces_.size() - 1;
     while (const std::size_t got = reader.read(block_.data(), block_.size())) {
       unpacked.add(got);
       bytes_.write(block_.data(), got);
+      if (sum)
+        *sum = static_cast<std::uint32_t>(
+            crc32(*sum, reinterpret_cast<const Bytef*>(block_.data()), static_cast<uInt>(got)));
     }
     pieces_.back().size = bytes_.size() - pieces_.back().offset;
     return pieces_.size() - 1;
@@ -86,7 +92,8 @@ std::string to_plain_name(std::string name) {
 
 }  // namespace
 
-ArchiveListing unpack_archive(LibarchiveReader& reader, UnpackedSize& unpacked) {
+ArchiveListing unpack_archive(LibarchiveReader& reader, UnpackedSize& unpacked,
+                              const EntrySums& sums) {
   const auto archive = std::make_shared<UnpackedArchive>();
   ArchiveListing listing;
   std::unordered_map<std::string, std::size_t> places;  // of entries, by their names
@@ -97,7 +104,7 @@ ArchiveListing unpack_archive(LibarchiveReader& reader, UnpackedSize& unpacked) 
     else
       listing.entries.push_back({std::move(name), archive, index});
   };
-  while (archive_entry* const entry = reader.find_next()) {
+  for (std::size_t number = 0; archive_entry* const entry = reader.find_next(); ++number) {
     std::string name = to_plain_name(reader.find_path(entry));
     const auto kind = archive_entry_filetype(entry);
     const std::string target = to_plain_name(reader.find_link(entry));
@@ -109,7 +116,11 @@ ArchiveListing unpack_archive(LibarchiveReader& reader, UnpackedSize& unpacked) 
       else
         add(std::move(name), listing.entries[place->second].index);
     } else if (kind == AE_IFREG || kind == 0) {
-      add(std::move(name), archive->add(reader, archive_entry_is_encrypted(entry) != 0, unpacked));
+      const bool is_encrypted = archive_entry_is_encrypted(entry) != 0;
+      const bool has_sum = !is_encrypted && number < sums.size() && sums[number];
+      std::uint32_t sum = 0;
+      add(std::move(name), archive->add(reader, is_encrypted, has_sum ? &sum : nullptr, unpacked));
+      if (has_sum && sums[number] != sum) reader.fail("an entry's sum is wrong");
     } else {
       ++listing.left_out[kind == AE_IFLNK ? "link" : "device"];
     }

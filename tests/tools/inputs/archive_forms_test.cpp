@@ -41,8 +41,8 @@ std::string ids_of(const fs::path& file) {
 
 std::string names_of(const fs::path& file) {
   std::string names;
-  for (const city::ArchiveEntry& entry : city::list_archive(file)->entries)
-    names += entry.inside + "|";
+  const auto listing = city::list_archive(file);
+  for (const city::ArchiveEntry& entry : listing->entries) names += entry.inside + "|";
   return names;
 }
 
@@ -87,7 +87,7 @@ TEST_F(ArchiveForms, EveryStreamHoldsTheSameCity) {
     EXPECT_EQ(read_city_head(path).sample, sample) << form;
     // In an archive, under a name that says so and under one that does not.
     const fs::path tar = folder_ / "all.tar";
-    for (const std::string inside : {"in/city.gml" + std::string(form), std::string("city.gml")}) {
+    for (const std::string& inside : {"in/city.gml" + std::string(form), std::string("city.gml")}) {
       test::pack_archive(tar, {{inside, test::read_text(path)}});
       EXPECT_EQ(ids_of(tar), "a ") << inside << form;
     }
@@ -236,7 +236,7 @@ TEST_F(ArchiveForms, EmptyArchivesSayWhatTheyLack) {
   for (const char* form : {".7z", ".rar", ".rar5"}) {
     const fs::path path = folder_ / ("a" + std::string(form));
     test::pack_archive(path, {});
-    EXPECT_NE(message_of([&] { find_format(path); }).find("the archive holds no .gml"),
+    EXPECT_NE(message_of([&] { find_format(path); }).find("the archive holds no .json, "),
               std::string::npos)
         << form << message_of([&] { find_format(path); });
   }

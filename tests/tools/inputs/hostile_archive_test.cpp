@@ -53,7 +53,8 @@ TEST_F(HostileArchive, WhatIsCutOffIsBrokenWhereverItIsCut) {
     // libarchive's tar ends with 10 kB of zeros, and a stored archive with a mark of 7 bytes.
     const std::size_t end = form == ".tar" ? whole.size() - 9300 : whole.size() - 9;
     for (const std::size_t size : {whole.size() / 3, whole.size() / 2, whole.size() * 2 / 3, end}) {
-      if (form == ".tar" && size > end) continue;
+      // Of the others the last bytes are sums and marks; of compress they are the end's zeros.
+      if (size > end || (form == ".tar.Z" && size == end)) continue;
       expect("a" + form, whole.substr(0, size), "broken");
       EXPECT_EQ(objects_, 0u) << form << size;
     }

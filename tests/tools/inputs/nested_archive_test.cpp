@@ -139,7 +139,7 @@ TEST_F(NestedArchive, WhatIsPassedOverInsideIsCountedByWhatItIs) {
 // A city may lie in each of them.
 TEST_F(NestedArchive, BrokenArchivesOfAllKindsAreToldInFoldersToo) {
   const std::vector<std::pair<std::string, std::string>> kinds{
-      {"a.7z", std::string("7z\xBC\xAF\x27\x1C") + std::string(40, '\0')},
+      {"a.7z", std::string("7z\xBC\xAF\x27\x1C") + std::string(40, '\4')},
       {"a.rar", std::string("Rar!\x1A\x07\x01") + std::string(40, '\0')},
       {"a.tar", std::string(257, 'a') + "ustar" + std::string(250, '\0')},
       {"a.tar.bz2", "BZh91AY&SY"},
