@@ -173,6 +173,7 @@ const FileFormat* find_format(const city::Document& document) {
 }
 
 std::string find_reason_to_pass_over(const std::filesystem::path& path) {
+  if (city::is_named_as_volume(to_lower(path.filename().string()))) return city::volume_words;
   std::vector<city::Document> documents;
   try {
     documents = list_readable(path).documents;
