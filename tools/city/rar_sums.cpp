@@ -17,6 +17,10 @@ class RarNumbers {
  public:
   explicit RarNumbers(std::string_view bytes) : bytes_(bytes) {}
 
+  void skip(unsigned count) {
+    for (unsigned i = 0; i < count; ++i) take_byte();
+  }
+  // At most eight bytes.
   std::uint64_t take_fixed(unsigned count) {
     std::uint64_t value = 0;
     for (unsigned i = 0; i < count; ++i) value |= std::uint64_t{take_byte()} << 8 * i;
@@ -54,16 +58,16 @@ RarHeader read_header_of_4(std::string_view bytes) {
   constexpr std::uint64_t main = 0x73, file = 0x74, has_data = 0x8000, is_large = 0x100,
                           folder = 0xE0;
   RarNumbers numbers(bytes);
-  numbers.take_fixed(2);
+  numbers.skip(2);
   const std::uint64_t type = numbers.take_fixed(1), flags = numbers.take_fixed(2);
   RarHeader header{numbers.take_fixed(2), type == main, type == file, flags};
   if (header.bytes < begin_of_4) return {};
   if (type != file && (flags & has_data) == 0) return header;
   header.bytes += numbers.take_fixed(4);
-  numbers.take_fixed(4 + 1);
+  numbers.skip(4 + 1);
   const auto sum = static_cast<std::uint32_t>(numbers.take_fixed(4));
   if (header.is_file && (flags & folder) != folder) header.sum = sum;
-  numbers.take_fixed(4 + 1 + 1 + 2 + 4);
+  numbers.skip(4 + 1 + 1 + 2 + 4);
   if (header.is_file && (flags & is_large) != 0) header.bytes += numbers.take_fixed(4) << 32;
   return header;
 }
@@ -73,7 +77,7 @@ RarHeader read_header_of_5(std::string_view bytes) {
   constexpr std::uint64_t main = 1, file = 2, has_extra = 1, has_data = 2, folder = 1, has_time = 2,
                           has_sum = 4;
   RarNumbers numbers(bytes);
-  numbers.take_fixed(4);
+  numbers.skip(4);
   const std::uint64_t size = numbers.take();
   if (size == 0 || size > std::uint64_t{1} << 32) return {};
   RarHeader header{size + numbers.at()};
@@ -86,7 +90,7 @@ RarHeader read_header_of_5(std::string_view bytes) {
   if (!header.is_file) return header;
   numbers.take();
   numbers.take();
-  if ((header.flags & has_time) != 0) numbers.take_fixed(4);
+  if ((header.flags & has_time) != 0) numbers.skip(4);
   const auto sum = static_cast<std::uint32_t>(numbers.take_fixed(4));
   if ((header.flags & has_sum) != 0 && (header.flags & folder) == 0) header.sum = sum;
   return header;

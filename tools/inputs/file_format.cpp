@@ -186,9 +186,7 @@ std::string find_reason_to_pass_over(const std::filesystem::path& path) {
   if (const FileFormat* format = recognise({bytes, name, document.packed}))
     return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
   const bool is_text = !city::find_root_name(bytes).empty() || bytes.starts_with('{');
-  return is_text || city::is_named_as_archive(name)
-             ? city::explain_foreign(bytes, name)
-             : "";
+  return is_text ? city::explain_foreign(bytes, name) : "";
 }
 
 }  // namespace nightcity::inputs

@@ -85,14 +85,15 @@ inline std::string mutate_other(std::string_view file, unsigned seed) {
     void operator()(archive* object) const { archive_free(object); }
     void operator()(archive_entry* object) const { archive_entry_free(object); }
   };
+  // Before the writer, which may write to them as it is freed.
+  std::string packed(file.size() + 2 * max_unpacked_entry, '\0');
+  std::size_t used = 0;
   const std::unique_ptr<archive, Freed> in(archive_read_new()), out(archive_write_new());
   archive_read_support_filter_all(in.get());
   for (const auto support : {archive_read_support_format_tar, archive_read_support_format_7zip,
                              archive_read_support_format_rar, archive_read_support_format_rar5})
     support(in.get());
   if (archive_read_open_memory(in.get(), file.data(), file.size()) != ARCHIVE_OK) return {};
-  std::string packed(file.size() + 2 * max_unpacked_entry, '\0');
-  std::size_t used = 0;
   const bool is_7z = seed / 8 % 4 == 0;
   archive_write_set_format(out.get(),
                            is_7z ? ARCHIVE_FORMAT_7ZIP : ARCHIVE_FORMAT_TAR_PAX_RESTRICTED);
