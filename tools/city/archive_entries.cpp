@@ -67,9 +67,10 @@ std::optional<ArchiveListing> list_one(const std::string& path, const std::strin
 }
 
 // Returns what the archive holds that an entry is; none where it is only named like one.
-std::optional<ArchiveListing> list_inner(const ArchiveEntry& entry, const std::string& name,
+std::optional<ArchiveListing> list_inner(const ArchiveEntry& entry, const std::string& path,
                                          UnpackedSize& unpacked) {
   if (!is_named_as_archive(to_lower(entry.inside))) return std::nullopt;
+  const std::string name = path + "/" + entry.inside;
   auto source = entry.archive->open(entry.index, name);
   std::string start = read_next(*source, packing_bytes);
   if (find_packing(start) == Packing::none) return std::nullopt;
@@ -83,8 +84,9 @@ ArchiveListing list_with_inner_archives(const std::string& path) {
   if (!outer) throw Error(path, "is no archive");
   ArchiveListing all;
   all.left_out = std::move(outer->left_out);
+  all.entries.reserve(outer->entries.size());
   for (ArchiveEntry& entry : outer->entries) {
-    std::optional<ArchiveListing> inner = list_inner(entry, path + "/" + entry.inside, unpacked);
+    std::optional<ArchiveListing> inner = list_inner(entry, path, unpacked);
     if (!inner) {
       all.entries.push_back(std::move(entry));
       continue;

@@ -36,8 +36,9 @@ constexpr std::array archive_endings{".zip"sv,  ".tar"sv, ".7z"sv,  ".rar"sv,  "
 
 template <class Endings>
 std::size_t find_ending(std::string_view name, const Endings& endings) {
+  if (name.empty()) return 0;
   for (const std::string_view ending : endings)
-    if (name.ends_with(ending)) return ending.size();
+    if (name.back() == ending.back() && name.ends_with(ending)) return ending.size();
   return 0;
 }
 
@@ -103,7 +104,10 @@ const char* name_of(Packing packing) {
 }
 
 std::string_view without_stream_ending(std::string_view name) {
-  return name.substr(0, name.size() - find_ending(to_lower(name), stream_endings));
+  // Archives have many entries: only what may be an ending is put into lower case.
+  constexpr std::size_t longest = std::string_view(".zstd").size();
+  const std::string end = to_lower(name.substr(name.size() - std::min(name.size(), longest)));
+  return name.substr(0, name.size() - find_ending(end, stream_endings));
 }
 
 bool is_named_as_volume(std::string_view name) {

@@ -113,6 +113,7 @@ ArchiveListing list_zip(const std::string& path, const std::string& name,
   const auto archive = std::make_shared<ZipArchive>(path, name, std::move(unpacked));
   ArchiveListing listing;
   const zip_int64_t count = zip_get_num_entries(archive->get(), 0);
+  listing.entries.reserve(static_cast<std::size_t>(std::max<zip_int64_t>(count, 0)));
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     const char* inside = zip_get_name(archive->get(), index, ZIP_FL_ENC_GUESS);
