@@ -65,9 +65,11 @@ inline void add_filter(archive* out, std::string_view name) {
 class ArchiveWriter {
  public:
   /// `format`: ARCHIVE_FORMAT_7ZIP, ARCHIVE_FORMAT_TAR_PAX_INTERCHANGE, ...; the name says what it
-  /// is packed by.
-  ArchiveWriter(const std::filesystem::path& path, int format) : out_(archive_write_new()) {
+  /// is packed by. `options`: of libarchive ("compression=store").
+  ArchiveWriter(const std::filesystem::path& path, int format, const char* options = "")
+      : out_(archive_write_new()) {
     archive_write_set_format(out_, format);
+    EXPECT_EQ(archive_write_set_options(out_, options), ARCHIVE_OK);
     add_filter(out_, path.native());
     EXPECT_EQ(archive_write_open_filename(out_, path.c_str()), ARCHIVE_OK);
   }
@@ -189,6 +191,24 @@ inline std::string make_rar5(const ZipFiles& files, unsigned flags = 0, unsigned
                 number(1) + number(name.size()) + name) +
            bytes;
   return rar + seal(number(5) + number(0) + number(0));
+}
+
+/// Returns a 7z archive whose one file is, by what its header says, encrypted by AES.
+inline std::string make_encrypted_7z(const std::string& name, std::string_view bytes) {
+  const TempFolder folder;
+  ArchiveWriter(folder / "a.7z", ARCHIVE_FORMAT_7ZIP, "compression=store").add(name, bytes);
+  const std::string archive = read_text(folder / "a.7z");
+  constexpr std::size_t begin = 32;  // of what is packed, behind the first header
+  const std::size_t packed = begin + bytes.size();
+  std::string header = archive.substr(packed);
+  const std::string_view stored("\x0B\x01\0\x01\x01\0", 6), aes("\x24\x06\xF1\x07\x01\x02\0\0", 8);
+  const std::size_t coder = header.find(stored);
+  EXPECT_NE(coder, header.npos);
+  header.replace(coder + 4, 2, aes);
+  const std::string first =
+      to_little_endian({{bytes.size(), 8}, {header.size(), 8}, {find_crc32(header), 4}});
+  return archive.substr(0, 8) + to_little_endian({{find_crc32(first), 4}}) + first +
+         archive.substr(begin, bytes.size()) + header;
 }
 
 /// Writes one stream, packed as the ending of `path` says.

@@ -101,6 +101,8 @@ TEST_F(HostileArchive, StreamsThatAreCutOffAreBroken) {
 
 TEST_F(HostileArchive, WhatIsEncryptedIsSaidToBe) {
   const test::ZipFiles files = two_houses();
+  expect("files.7z", test::make_encrypted_7z("a.gml", files[0].second),
+         "a.gml: is encrypted with a password");
   expect("headers.rar", test::make_rar4(files, 0x80), "encrypted");
   expect("files.rar", test::make_rar4(files, 0, 0x04), "is encrypted with a password");
 }
