@@ -13,8 +13,9 @@ namespace nightcity::city {
 using EntrySums = std::vector<std::optional<std::uint32_t>>;
 
 /// Returns what the headers of a RAR archive (version 4 or 5) say, for each file, folder and link
-/// in their order, of the sum of its bytes. libarchive 3.6 reads past the place where it would compare them, so that a damaged archive
-/// gave wrong bytes without a word. The list ends where the archive does, or is broken.
+/// in their order, of the sum of its bytes. libarchive 3.6 reads past the place where it would
+/// compare them, so that a damaged archive gave wrong bytes without a word. The list ends where the
+/// archive does, or is broken.
 EntrySums list_rar_sums(const std::string& path);
 
 /// Returns whether the first bytes are of a RAR archive in several volumes.
