@@ -1,4 +1,5 @@
-// Recognises archives and compressed files that no reader here unpacks, for messages.
+// Recognises archives and compressed files where a reader does not unpack them, for messages: given
+// as scenes, or packed once more.
 #pragma once
 
 #include <string_view>

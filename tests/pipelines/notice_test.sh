@@ -9,7 +9,7 @@ declare -A words=(
   [libbz2]=bzip2 [libcitygml]=libcitygml [libcurl]=libcurl [libdraco]=Draco [libexpat]=expat [libfmt]=fmt [libgdal]=GDAL [libgeos_c]=GEOS
   [libGeographicLib]=GeographicLib [libglfw]=GLFW [libgmp]=GMP [libmpfr]=MPFR [libOpenEXR]=OpenEXR [libpng16]=libpng
   [libImath]=Imath [libproj]=PROJ [libpugixml]=pugixml [libsimdjson]=simdjson [libspdlog]=spdlog [libstb]=stb [libtbb]=oneTBB
-  [libmimalloc]=mimalloc [libtomlplusplus]=toml++ [libvulkan]=Vulkan [libxerces]=Xerces-C [libxxhash]=xxHash [libz]=zlib [libzip]=libzip
+  [libmimalloc]=mimalloc [libtomlplusplus]=toml++ [libvulkan]=Vulkan [libxerces]=Xerces-C [libxxhash]=xxHash [libz]=zlib [libzip]=libzip [libarchive]=libarchive
   [libimgui]="Dear ImGui" [libIlmThread]=OpenEXR [libIex]=OpenEXR
 )
 # The compiler's and the system's own.

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -18,11 +17,12 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/to_lower.h"
+#include "tools/city/archive_entries.h"
 #include "tools/city/foreign_format.h"
-#include "tools/city/inflate_source.h"
+#include "tools/city/packing.h"
+#include "tools/city/stream_source.h"
 #include "tools/city/text_encoding.h"
 #include "tools/city/unpacked_size.h"
-#include "tools/city/zip_archive.h"
 
 namespace nightcity::city {
 namespace {
@@ -50,39 +50,6 @@ class PlainSource : public ByteSource {
   std::string name_;
 };
 
-class GzipSource : public ByteSource {
- public:
-  explicit GzipSource(const std::string& name)
-      : file_(gzopen(name.c_str(), "rb")), name_(name), unpacked_(name, find_packed_size(name)) {
-    if (!file_) throw Error(name_, "cannot open the gzip stream");
-    gzbuffer(file_, 1u << 18);
-  }
-  ~GzipSource() override { gzclose(file_); }
-  GzipSource(const GzipSource&) = delete;
-  GzipSource& operator=(const GzipSource&) = delete;
-
-  std::size_t read(char* out, std::size_t size) override {
-    const int got =
-        gzread(file_, out, static_cast<unsigned>(std::min<std::size_t>(size, 1u << 30)));
-    int status = Z_OK;
-    const char* message = gzerror(file_, &status);
-    // A stream cut short gives its last bytes first and the error with them.
-    if (got < 0 || (status != Z_OK && status != Z_STREAM_END))
-      throw Error(name_, std::string("broken gzip stream: ") +
-                             (message && *message ? message : "truncated"));
-    unpacked_.add(static_cast<std::size_t>(got));
-    return static_cast<std::size_t>(got);
-  }
-
- private:
-  gzFile file_;
-  std::string name_;
-  UnpackedSize unpacked_;
-};
-
-constexpr std::array<std::string_view, 8> packed_endings = {".zip", ".gz",  ".tgz", ".tar",
-                                                            ".7z",  ".bz2", ".xz",  ".rar"};
-
 // Rasters of heights, which are told apart for what helps.
 constexpr std::array<std::string_view, 6> raster_endings = {".tif", ".tiff", ".asc",
                                                             ".xyz", ".hgt",  ".flt"};
@@ -99,7 +66,7 @@ std::string ending_of(const std::string& name) {
 }
 
 // Returns what an entry that is of no use is instead, with the remedy; "" where it is not known.
-std::string explain_entry(const ZipEntry& entry, const std::string& path) {
+std::string explain_entry(const ArchiveEntry& entry, const std::string& path) {
   constexpr std::size_t start_bytes = 4096;
   try {
     return explain_foreign(read_next(*entry.open(path + "/" + entry.inside), start_bytes),
@@ -109,30 +76,36 @@ std::string explain_entry(const ZipEntry& entry, const std::string& path) {
   }
 }
 
-FileContents list_archive(const std::string& path, std::span<const std::string_view> endings) {
+// Opens an entry, and unpacks it where it is a stream, whatever its name says.
+std::unique_ptr<ByteSource> open_unpacked(const ArchiveEntry& entry, const std::string& name) {
+  auto source = entry.open(name);
+  std::string start = read_next(*source, packing_bytes);
+  const Packing packing = find_packing(start);
+  source = resume(std::move(start), std::move(source));
+  if (!is_checked_stream(packing)) return source;
+  return unpack_stream(packing, std::move(source), name, entry.packed_size());
+}
+
+FileContents list_entries(const std::string& path, std::span<const std::string_view> endings) {
   FileContents contents;
   std::string first_entry, first_raster;
-  const std::vector<ZipEntry> entries = list_zip_entries(path);
-  for (const ZipEntry& entry : entries) {
+  const auto listing = list_archive(path);
+  contents.others = listing->left_out;
+  for (const ArchiveEntry& entry : listing->entries) {
     const std::string& inside = entry.inside;
     const std::string lower = to_lower(inside);
     if (first_entry.empty()) first_entry = inside;
     if (first_raster.empty() && ends_with_any(lower, raster_endings)) first_raster = inside;
     // A stream is read under the name of what is in it.
-    const std::size_t gzip = lower.ends_with(".gz") ? std::string_view(".gz").size() : 0;
-    const bool is_wanted = ends_with_any(lower.substr(0, lower.size() - gzip), endings);
-    if (!is_wanted && ends_with_any(lower, packed_endings))
-      contents.packed_entries.push_back(inside);
+    const bool is_wanted = ends_with_any(without_stream_ending(lower), endings);
+    if (!is_wanted && is_named_as_packed(lower)) contents.packed_entries.push_back(inside);
     if (!is_wanted) {
       ++contents.others[ending_of(lower)];
       continue;
     }
-    const std::string name = path + "/" + inside.substr(0, inside.size() - gzip);
-    contents.documents.push_back(make_document(name, true, [=]() -> std::unique_ptr<ByteSource> {
-      auto source = entry.open(name);
-      if (gzip == 0) return source;
-      return inflate_stream(std::move(source), name, entry.packed_size());
-    }));
+    const std::string name = path + "/" + std::string(without_stream_ending(inside));
+    contents.documents.push_back(
+        make_document(name, true, [=] { return open_unpacked(entry, name); }));
   }
   if (!contents.documents.empty()) return contents;
   const std::string none = "holds no " + join_endings(endings),
@@ -144,16 +117,11 @@ FileContents list_archive(const std::string& path, std::span<const std::string_v
         path, "holds another packed file (" + contents.packed_entries.front() + ")" + remedy);
   if (to_lower(first_entry).ends_with(".kml"))
     throw NothingInside(path, "holds KML (" + first_entry + "): export the model as CityGML first");
-  if (first_entry.empty()) throw NothingInside(path, none);
-  const std::string words = explain_entry(entries.front(), path);
+  if (first_entry.empty())
+    throw NothingInside(path, none + (contents.others.empty() ? "" : ", but links alone"));
+  const std::string words = explain_entry(listing->entries.front(), path);
   throw NothingInside(
       path, none + ", but " + first_entry + (words.empty() ? remedy : ", which " + words));
-}
-
-std::string read_mark(const std::string& path) {
-  std::string mark(zip_mark.size(), '\0');
-  mark.resize(PlainSource(path).read(mark.data(), mark.size()));
-  return mark;
 }
 
 }  // namespace
@@ -176,19 +144,25 @@ FileContents list_contents(const std::filesystem::path& file,
   std::error_code ignored;  // the opening says what is wrong
   if (std::filesystem::is_directory(file, ignored)) throw Error(path, "is a folder, not a file");
   refuse_special_file(file);
-  const std::string mark = read_mark(path);
-  if (mark.empty()) throw Error(path, "is empty");
-  if (mark == zip_mark) return list_archive(path, endings);
-  if (mark.starts_with("\x1f\x8b"))
-    return {
-        {make_document(path, true, [=] { return std::make_unique<GzipSource>(path); })}, {}, {}};
-  return {
-      {make_document(path, false, [=] { return std::make_unique<PlainSource>(path); })}, {}, {}};
+  const std::string start = read_next(*open_file(path), packing_bytes);
+  if (start.empty()) throw Error(path, "is empty");
+  if (holds_archive(path, start)) return list_entries(path, endings);
+  const Packing packing = find_packing(start);
+  if (!is_checked_stream(packing))
+    return {{make_document(path, false, [=] { return open_file(path); })}, {}, {}};
+  const auto open = [=] {
+    return unpack_stream(packing, open_file(path), path, find_packed_size(path));
+  };
+  return {{make_document(path, true, open)}, {}, {}};
 }
 
 std::vector<Document> list_documents(const std::filesystem::path& file,
                                      std::span<const std::string_view> endings) {
   return list_contents(file, endings).documents;
+}
+
+std::unique_ptr<ByteSource> open_file(const std::string& path) {
+  return std::make_unique<PlainSource>(path);
 }
 
 std::string read_next(ByteSource& source, std::size_t most) {

@@ -1,4 +1,4 @@
-// The bytes of a document, whether it lies plain, gzipped or in a zip archive.
+// The bytes of a document, whether it lies plain, in a stream (gzip, xz, ...) or in an archive.
 #pragma once
 
 #include <cstddef>
@@ -23,13 +23,16 @@ class ByteSource {
   virtual std::size_t read(char* out, std::size_t size) = 0;
 };
 
+/// Returns the bytes of a file as it lies there. Throws Error where it cannot be read.
+std::unique_ptr<ByteSource> open_file(const std::string& path);
+
 /// Returns the next bytes of a source: `most`, or as many as there are.
 std::string read_next(ByteSource& source, std::size_t most);
 
 /// One document, to be read as often as needed. Text in UTF-16 is read as UTF-8.
 struct Document {
   std::string name;     // the file's path, with the entry's name behind it in an archive
-  bool packed = false;  // gzipped, or an archive's entry
+  bool packed = false;  // in a stream, or an archive's entry
   std::function<std::unique_ptr<ByteSource>()> open;
   /// Opens the same bytes as they are, whatever encoding they look like: those of a raster.
   std::function<std::unique_ptr<ByteSource>()> open_as_it_is{};
@@ -48,7 +51,8 @@ struct FileContents {
   // Names of an archive's entries that are packed themselves, by their endings, and so are no
   // documents.
   std::vector<std::string> packed_entries;
-  /// An archive's entries that are no documents, counted by how their names end (".pdf").
+  /// An archive's entries that are no documents, counted by how their names end (".pdf"), or by what
+  /// they are where they are no files ("link").
   std::map<std::string, std::size_t> others;
 };
 
@@ -64,11 +68,11 @@ class NothingInside : public Error {
   std::string what_;
 };
 
-/// Returns what `file` holds. Its documents are one for a plain or gzipped file, and of a zip
+/// Returns what `file` holds. Its documents are one for a plain file or one in a stream, and of an
 /// archive one for each entry whose name ends with one of `endings` (in lower case: ".gml"), also
-/// where the entry lies in an archive in the archive, or is a gzip stream itself (".gml.gz"), which
-/// is then read under its name without ".gz". Throws Error when the file is missing, empty,
-/// unreadable or a folder; NothingInside for an archive without such entries. The reader of a
+/// where the entry lies in an archive in the archive, or is a stream itself (".gml.gz"), which is
+/// then read under its name without ".gz". Throws Error when the file is missing, empty, unreadable
+/// or a folder, or a broken archive; NothingInside for an archive without such entries. The reader of a
 /// document finds out whether it is of the kind that its name says.
 FileContents list_contents(const std::filesystem::path& file,
                            std::span<const std::string_view> endings);

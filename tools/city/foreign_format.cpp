@@ -10,7 +10,7 @@
 #include "formats/to_lower.h"
 #include "tools/city/foreign_names.h"
 #include "tools/city/foreign_tables.h"
-#include "tools/city/zip_archive.h"
+#include "tools/city/packing.h"
 
 namespace nightcity::city {
 namespace {
@@ -71,12 +71,15 @@ std::optional<Foreign> find_xml(std::string_view text, std::string_view root) {
 }
 
 std::optional<Foreign> find_packed(std::string_view bytes, std::string_view name) {
-  if (bytes.starts_with(zip_mark) && name.ends_with(".gz"))
-    return Foreign{"is a zip archive that was packed by gzip as well", "unpack it once (gunzip)"};
+  if (find_packing(bytes) == Packing::zip)
+    return Foreign{"is an archive in more archives than are looked into", "unpack the outer one"};
   if (bytes.starts_with("PK") || name.ends_with(".zip"))
     return Foreign{"is no zip archive, or the beginning of one that was cut off", "fetch it again"};
   if (bytes.starts_with("\x1F\x8B"))
     return Foreign{"is packed by gzip twice", "unpack it once (gunzip)"};
+  const bool is_empty = std::all_of(bytes.begin(), bytes.end(), [](char c) { return c == '\0'; });
+  if (is_empty && is_named_as_archive(name)) return Foreign{"is a tar archive without files"};
+  if (is_named_as_volume(name)) return Foreign{volume_words};
   return {};
 }
 
@@ -87,14 +90,11 @@ std::string explain(std::string_view bytes, std::string_view name, bool wants_mo
     if (!wants_model && file.leads == leads_to_model) file.remedy = {};
     return join_words(file);
   };
-  if (is_packed_tar(name))
-    return "is a tar archive: unpack it first (tar -xf) and name the files in it";
   for (const Mark& mark : binary_marks)
     if (bytes.starts_with(mark.bytes)) return to_words(mark.is);
   if (const std::string_view packed = describe_packed(bytes); !packed.empty())
     return std::string(packed);
   if (const auto packed = find_packed(bytes, name)) return to_words(*packed);
-  if (name.ends_with(".gz") || name.ends_with(".tgz")) return {};
   if (name.ends_with("3dscenelayer.json"))
     return to_words({"is a scene layer of I3S", tile.remedy, leads_to_model});
   const std::string_view text = skip_blanks(bytes);
@@ -144,6 +144,7 @@ std::string_view find_root_name(std::string_view start) {
 std::string explain_foreign(std::string_view bytes, std::string_view name) {
   if (name.ends_with(".toml")) return "is named as a recipe: `nightbake run` reads it";
   if (std::string found = explain(bytes, name, true); !found.empty()) return found;
+  if (is_named_as_archive(name)) return "is named as an archive and is none: fetch it again";
   return std::string(explain_by_name(name));
 }
 

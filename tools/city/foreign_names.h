@@ -1,20 +1,10 @@
 // Says what files of other kinds are by their names, where their bytes do not.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace nightcity::city {
-
-/// Returns whether a name (in lower case) is that of a tar archive that is packed once more: its
-/// bytes show only the outer packing.
-inline bool is_packed_tar(std::string_view name) {
-  constexpr std::array<std::string_view, 7> endings{".tar.bz2", ".tbz2",    ".tbz", ".tar.xz",
-                                                    ".txz",     ".tar.zst", ".tzst"};
-  return std::any_of(endings.begin(), endings.end(),
-                     [name](std::string_view ending) { return name.ends_with(ending); });
-}
 
 /// Returns what a file without a mark at its beginning is named as, with the remedy; "" where its
 /// name says nothing.

@@ -47,8 +47,7 @@ struct Mark {
 };
 
 inline constexpr std::array binary_marks{
-    Mark{"BZh"sv,
-         {"is compressed by bzip2, which is read for OSM alone", "unpack it first (bunzip2)"}},
+    Mark{"BZh"sv, {"is packed by bzip2 once more", "unpack it once (bunzip2)"}},
     Mark{"MZ"sv,
          {"is a program of Windows", "if it is an archive that unpacks itself, unpack it first"}},
     Mark{"PK\x05\x06"sv, {"is a zip archive without files"}},

@@ -23,6 +23,8 @@ std::size_t find_linked_bytes(const city::ReadOptions& options) {
   return vertex_bytes * static_cast<std::size_t>(options.max_linked_vertices);
 }
 
+}  // namespace
+
 std::shared_ptr<const std::set<fs::path>> add_siblings(
     const std::shared_ptr<const std::set<fs::path>>& neighbours,
     std::span<const city::Document> siblings) {
@@ -34,8 +36,6 @@ std::shared_ptr<const std::set<fs::path>> add_siblings(
   return all;
 }
 
-}  // namespace
-
 LinkTargets::LinkTargets(const city::Document& document, std::span<const city::Document> siblings,
                          const city::ReadOptions& options)
     : document_(document),
@@ -45,7 +45,7 @@ LinkTargets::LinkTargets(const city::Document& document, std::span<const city::D
       room_(static_cast<std::size_t>(options.max_linked_vertices)) {
   library_.folder = fs::path(document.name).parent_path();
   library_.file_name = fs::path(document.name).filename().string();
-  library_.neighbours = add_siblings(options.neighbours, siblings);
+  library_.neighbours = options.neighbours;
   library_.max_vertices = room_;
 }
 

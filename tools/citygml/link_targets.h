@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_set>
@@ -14,10 +17,16 @@
 
 namespace nightcity::citygml {
 
+/// Returns the neighbours, and beside them the documents of one archive, which may link to each
+/// other. It takes time in their number, and is for all of them.
+std::shared_ptr<const std::set<std::filesystem::path>> add_siblings(
+    const std::shared_ptr<const std::set<std::filesystem::path>>& neighbours,
+    std::span<const city::Document> siblings);
+
 class LinkTargets {
  public:
-  /// Links of `document` may lead into itself, `siblings` (the documents of its archive), and the
-  /// neighbours of the options. All must outlive the targets.
+  /// Links of `document` may lead into itself and the neighbours of the options, of which `siblings`
+  /// (the documents of its archive) are found there. All must outlive the targets.
   LinkTargets(const city::Document& document, std::span<const city::Document> siblings,
               const city::ReadOptions& options);
 

@@ -6,6 +6,7 @@
 #include "tools/city/byte_source.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/libcitygml_reader.h"
+#include "tools/citygml/link_targets.h"
 #include "tools/citygml/stream_reader.h"
 
 namespace nightcity::citygml {
@@ -19,9 +20,11 @@ city::ReadReport read_citygml_staged(const std::filesystem::path& file,
     return read_with_stream(piece, {}, options, stage);
   }
   const std::vector<city::Document> documents = list_citygml_documents(file, &report.warnings);
+  city::ReadOptions with_siblings = options;
+  with_siblings.neighbours = add_siblings(options.neighbours, documents);
   for (const city::Document& document : documents) {
     if (options.reader == city::Reader::stream) {
-      report.merge(read_with_stream(document, documents, options, stage));
+      report.merge(read_with_stream(document, documents, with_siblings, stage));
       continue;
     }
     report.merge(read_with_libcitygml(document, options, [&](city::CityObject&& object) {

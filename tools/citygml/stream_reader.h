@@ -8,8 +8,8 @@
 
 namespace nightcity::citygml {
 
-/// Reads one document. Links lead into `siblings`, the documents of its archive, and into the
-/// neighbours of the options. Throws Error as read_citygml does.
+/// Reads one document. Links lead into the neighbours of the options; `siblings`, the documents of
+/// its archive, are found there too. Throws Error as read_citygml does.
 city::ReadReport read_with_stream(const city::Document& document,
                                   std::span<const city::Document> siblings,
                                   const city::ReadOptions& options, const city::ObjectStage& stage);

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <map>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/packing.h"
 #include "tools/inputs/file_format.h"
 
 namespace nightcity::inputs {
@@ -20,10 +20,8 @@ namespace fs = std::filesystem;
 
 bool is_city_file(const fs::path& path) {
   const std::string name = to_lower(path.filename().string());
-  if (name.ends_with(".zip") || city::ends_with_any(name, unread_archive_endings())) return true;
-  const std::string_view plain = std::string_view(name).substr(
-      0, name.size() - (name.ends_with(".gz") ? std::string_view(".gz").size() : 0));
-  return city::ends_with_any(plain, city_endings());
+  return city::is_named_as_archive(name) || city::is_named_as_volume(name) ||
+         city::ends_with_any(city::without_stream_ending(name), city_endings());
 }
 
 bool is_hidden(const fs::path& path) {
@@ -55,12 +53,6 @@ std::vector<fs::path> leave_out_others(const fs::path& folder, const std::vector
 
 }  // namespace
 
-std::span<const std::string_view> unread_archive_endings() {
-  static constexpr std::array<std::string_view, 10> endings{
-      ".7z", ".rar", ".tar", ".tgz", ".tar.gz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".tar.zst"};
-  return endings;
-}
-
 std::vector<std::string_view> city_endings() {
   std::vector<std::string_view> endings;
   for (const FileFormat& format : file_formats())
@@ -83,8 +75,9 @@ std::vector<fs::path> city_files(const fs::path& path) {
   }
   if (error) throw Error(path.string(), "the folder cannot be read: " + error.message());
   if (found.empty())
-    throw Error(path.string(), "no " + city::join_endings(city_endings()) +
-                                   " (also .gz) or .zip in this folder and those inside it");
+    throw Error(path.string(),
+                "no " + city::join_endings(city_endings()) +
+                    " (also .gz, .xz, ...) or archive in this folder and those inside it");
   std::sort(found.begin(), found.end());
   return leave_out_others(path, found);
 }

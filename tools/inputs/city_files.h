@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,12 +12,9 @@ namespace nightcity::inputs {
 /// formats in the table of file_format.h.
 std::vector<std::string_view> city_endings();
 
-/// Returns how the names of archives end that have to be unpacked first: those in folders are told.
-std::span<const std::string_view> unread_archive_endings();
-
 /// Returns `path` itself unless it is a folder; then the files in it and in the folders inside
-/// whose names end as city_endings() says, also gzipped (.gml.gz), and .zip archives, sorted by
-/// path so that every file system gives the same order. Links to folders are not followed, and
+/// whose names end as city_endings() says, also in streams (.gml.gz), and of archives (.zip, .7z),
+/// sorted by path so that every file system gives the same order. Links to folders are not followed, and
 /// names that begin with a dot are passed over. Files that are no city models (metadata, code
 /// lists, maps) are passed over too, with a note on stderr for each folder and kind. Throws Error
 /// where a folder cannot be read or there is no such file. A file named alone is not opened, so it

@@ -9,6 +9,7 @@
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
 #include "tools/city/foreign_format.h"
+#include "tools/city/packing.h"
 #include "tools/citygml/citygml_cuts.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
@@ -42,14 +43,8 @@ bool is_cityjson(const FileStart& start) {
   return cityjson::begins_as_cityjson(start.bytes);
 }
 
-// OSM is published in bzip2, cities are not: a city's name then says so.
 bool is_osm(const FileStart& start) {
-  const std::string_view ending(".bz2");
-  const bool packed_city =
-      start.name.ends_with(ending) &&
-      city::ends_with_any(start.name.substr(0, start.name.size() - ending.size()), city_endings());
-  const bool packed_tar = city::ends_with_any(start.name, unread_archive_endings());
-  return osm::begins_as_osm(start.bytes) && !packed_city && !packed_tar;
+  return osm::begins_as_osm(start.bytes);
 }
 
 bool is_gltf(const FileStart& start) {
@@ -108,9 +103,9 @@ constexpr std::array formats{
     FileFormat{"OSM", FileKind::osm, is_osm, true, {}, &map_reader},
     FileFormat{"CityGML", FileKind::city, is_citygml, true, citygml::citygml_endings,
                &citygml_reader},
-    FileFormat{"IES", FileKind::luminaire, is_ies},
-    FileFormat{"EULUMDAT", FileKind::luminaire, is_eulumdat},
-    FileFormat{"TM-33", FileKind::luminaire, is_tm33},
+    FileFormat{"IES", FileKind::luminaire, is_ies, true},
+    FileFormat{"EULUMDAT", FileKind::luminaire, is_eulumdat, true},
+    FileFormat{"TM-33", FileKind::luminaire, is_tm33, true},
     FileFormat{"GLDF", FileKind::luminaire, is_gldf, true},
     FileFormat{"Wavefront OBJ", FileKind::city, is_obj, true, obj::obj_endings, &obj_reader},
 };
@@ -147,6 +142,7 @@ std::string name_of(const city::Document& document) {
 city::FileContents list_readable(const std::filesystem::path& path) {
   std::vector<std::string_view> endings = city_endings();
   endings.insert(endings.end(), osm::map_endings.begin(), osm::map_endings.end());
+  for (const char* of_a_luminaire : {".ies", ".ldt"}) endings.emplace_back(of_a_luminaire);
   return city::list_contents(path, endings);
 }
 
@@ -177,6 +173,7 @@ const FileFormat* find_format(const city::Document& document) {
 }
 
 std::string find_reason_to_pass_over(const std::filesystem::path& path) {
+  if (city::is_named_as_volume(to_lower(path.filename().string()))) return city::volume_words;
   std::vector<city::Document> documents;
   try {
     documents = list_readable(path).documents;
@@ -189,8 +186,7 @@ std::string find_reason_to_pass_over(const std::filesystem::path& path) {
   if (const FileFormat* format = recognise({bytes, name, document.packed}))
     return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
   const bool is_text = !city::find_root_name(bytes).empty() || bytes.starts_with('{');
-  const bool is_archive = city::ends_with_any(name, unread_archive_endings());
-  return is_text || is_archive ? city::explain_foreign(bytes, name) : "";
+  return is_text ? city::explain_foreign(bytes, name) : "";
 }
 
 }  // namespace nightcity::inputs

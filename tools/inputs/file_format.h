@@ -20,14 +20,14 @@ enum class FileKind { city, osm, scene, lights, luminaire };
 struct FileStart {
   std::string_view bytes;  // of the content, unpacked; at most 64 KiB
   std::string_view name;   // of the file without its folder, in lower case
-  bool packed = false;     // the file is gzipped or a zip archive
+  bool packed = false;     // the file is a stream (gzip, xz, ...) or an archive
 };
 
 struct FileFormat {
   const char* name;  // as in messages: "CityGML"
   FileKind kind;
   bool (*recognises)(const FileStart& start);
-  /// Its reader unpacks gzip (and, of a city, zip).
+  /// Its reader unpacks streams and archives.
   bool may_be_packed = false;
   /// City formats: how the names of files end that a folder or an archive is searched for, in lower
   /// case and without .gz.
@@ -44,7 +44,7 @@ std::span<const FileFormat> file_formats();
 city::FileContents list_readable(const std::filesystem::path& path);
 
 /// Returns the format of the file at `path` by its first bytes; a name decides only where these say
-/// nothing (.ies, .ldt). Throws Error: missing, empty, a folder, broken gzip or zip,
+/// nothing (.ies, .ldt). Throws Error: missing, empty, a folder, a broken archive,
 /// or of no format in the table; the message then says what it is instead, and the remedy
 /// (tools/city/foreign_format.h). Of an archive the first city model decides, or else the first
 /// entry of another format.

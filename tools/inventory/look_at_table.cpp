@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/to_lower.h"
+#include "tools/city/archive_entries.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/inventory/text_places.h"
@@ -175,12 +176,12 @@ int rate_as_lamps(OGRLayer& layer, const std::string& format) {
 
 }  // namespace
 
-bool is_named_as_table(const std::filesystem::path& file) {
+bool may_be_table(const std::filesystem::path& file) {
   const std::string ending = to_lower(file.extension().string());
   for (const char* known : {".geojson", ".geojsonl", ".csv", ".tsv", ".gpkg", ".shp", ".fgb",
-                            ".json", ".jsonl", ".ndjson", ".zip", ".shz", ".gz"})
+                            ".json", ".jsonl", ".ndjson", ".shz"})
     if (ending == known) return true;
-  return false;
+  return city::find_packing_of(file) != city::Packing::none;
 }
 
 TableLook look_at_table(const std::filesystem::path& file) {

@@ -24,8 +24,9 @@ struct TableLook {
 /// first layer. Throws Error as open_vector_file does.
 TableLook look_at_table(const std::filesystem::path& file);
 
-/// Returns whether the file's name ends as those of tables that are read.
-bool is_named_as_table(const std::filesystem::path& file);
+/// Returns whether the file's name ends as those of tables that are read, or it is packed, so that
+/// it may hold one.
+bool may_be_table(const std::filesystem::path& file);
 
 /// Returns an inventory of these columns, as their names suggest: which holds the height, which the
 /// watts, and so on. What no name suggests is left out.

@@ -6,6 +6,7 @@
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
+#include "tools/city/packing.h"
 #include "tools/inventory/inventory.h"
 #include "tools/inventory/memory_folder.h"
 
@@ -28,11 +29,11 @@ std::string find_stem(const std::string& name) {
   return to_lower(name.substr(0, name.rfind('.')));
 }
 
-// Returns the name that a gzip stream's content has: without ".gz", and with the ending of what it
+// Returns the name that a stream's content has: without ".gz", and with the ending of what it
 // looks like where that leaves none.
 std::string find_name_inside(const std::filesystem::path& file, std::string_view bytes) {
-  std::string name = file.filename().string();
-  if (to_lower(name).ends_with(".gz")) name.resize(name.size() - std::string_view(".gz").size());
+  const std::string whole = file.filename().string();
+  std::string name(city::without_stream_ending(whole));
   const std::string lower = to_lower(name);
   if (city::ends_with_any(lower, endings)) return name;
   const std::size_t first = bytes.find_first_not_of("\xef\xbb\xbf \t\r\n");

@@ -1,4 +1,4 @@
-// Tables in archives and gzip streams, in their whole in memory.
+// Tables in archives and streams (gzip, xz, ...), in their whole in memory.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct MemoryFile {
   std::string name, bytes;
 };
 
-/// Returns a table in a .gz or .zip, and of a Shapefile the files that belong to it behind the
+/// Returns a table in a stream or an archive, and of a Shapefile the files that belong to it behind the
 /// first, whatever folder of the archive they lie in; none where the file is not packed. Text in
 /// UTF-16 is in UTF-8. Throws Error: an archive without a table, with several, broken, encrypted,
 /// or which unpacks to more than memory is meant for (SECURITY.md).

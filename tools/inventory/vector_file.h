@@ -26,7 +26,7 @@ struct VectorFile {
 };
 
 /// Opens the file. GDAL has drivers that are programs in all but name (VRT, WFS, databases), so
-/// only those whose file is the table itself may open it. One in a .zip or .gz is unpacked into
+/// only those whose file is the table itself may open it. One in an archive or a stream is unpacked into
 /// memory, and there go texts that GDAL misreads (UTF-16, a CSV below titles, rows in JSON that is
 /// no GeoJSON), in a form that it reads. Throws Error: missing, no regular file, of no such format,
 /// broken.

@@ -9,9 +9,10 @@
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
+#include "tools/city/archive_entries.h"
 #include "tools/city/attributes.h"
 #include "tools/city/foreign_format.h"
-#include "tools/city/zip_archive.h"
+#include "tools/city/packing.h"
 #include "tools/lights/text_lines.h"
 
 namespace nightcity::lights {
@@ -203,7 +204,8 @@ bool begins_as_eulumdat(std::string_view text) {
 }
 
 Luminaire read_luminaire(const std::filesystem::path& file) {
-  return city::is_zip(file) ? read_gldf(file) : read_luminaire(TextLines(file));
+  if (city::find_packing_of(file) != city::Packing::none) return read_packed_luminaire(file);
+  return read_luminaire(TextLines(file));
 }
 
 Luminaire read_luminaire(const TextLines& lines) {

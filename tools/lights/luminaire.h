@@ -74,8 +74,9 @@ Luminaire read_eulumdat(const std::filesystem::path& file);
 /// the line.
 Luminaire read_tm33(const TextLines& lines);
 /// Reads a GLDF container (a .zip with a product.xml that names files of photometry): the first
-/// photometry that it defines, which a note says where there are several.
-Luminaire read_gldf(const std::filesystem::path& file);
+/// photometry that it defines, which a note says where there are several. Of other archives it
+/// reads the only photometry, of a stream what it holds.
+Luminaire read_packed_luminaire(const std::filesystem::path& file);
 /// Reads any of the first three, by content: IES files hold a TILT line.
 Luminaire read_luminaire(const TextLines& lines);
 /// Reads any of them, by content.

@@ -150,8 +150,8 @@ void add_elevate_command(CLI::App& app) {
   program::add_output_option(*command, arguments->out,
                              "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");
   command->add_option("--dem", arguments->dem,
-                      "Raster of heights (GeoTIFF, ...) for lamps outside the model, or a .gz, "
-                      ".zip or folder of such");
+                      "Raster of heights (GeoTIFF, ...) for lamps outside the model, also "
+                      "packed (.gz, .zip, .7z, ...), or a folder of such");
   command->add_option("--dem-crs", arguments->dem_crs,
                       "CRS of that raster where it names none, as tables of x y z do "
                       "(EPSG:25832); without it that of a .prj beside it, or [terrain] dem_crs");

@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "formats/file_names.h"
+#include "tools/city/archive_entries.h"
 #include "tools/city/byte_source.h"
 #include "tools/city/file_stamp.h"
-#include "tools/city/zip_archive.h"
+#include "tools/city/packing.h"
 #include "tools/osm/osm_json.h"
 #include "tools/osm/read_osm.h"
 
 namespace nightcity::osm {
 namespace {
 
-constexpr std::array<std::string_view, 6> entry_endings{".osm",     ".pbf", ".o5m",
-                                                        ".osm.bz2", ".xml", ".json"};
+constexpr std::array<std::string_view, 5> entry_endings{".osm", ".pbf", ".o5m", ".xml", ".json"};
 
 struct UnpackedMap {
   std::string name;
@@ -59,13 +59,28 @@ UnpackedMap unpack_map(const city::Document& document) {
   return {document.name, std::move(bytes)};
 }
 
-// Returns the document of a file that is one in JSON, maybe gzipped.
-std::optional<city::Document> find_json(const std::filesystem::path& file) {
+// Returns whether the readers of maps unpack a file themselves, or need not.
+bool is_read_as_it_is(const std::filesystem::path& file) {
+  switch (city::find_packing_of(file)) {
+    case city::Packing::none:
+    case city::Packing::gzip:
+    case city::Packing::bzip2:
+    case city::Packing::compress:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Returns the document of a file that is one in JSON, or in a stream that the readers of maps do
+// not know.
+std::optional<city::Document> find_unread(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored) ||
       std::filesystem::file_size(file, ignored) == 0)
     return std::nullopt;
   city::Document document = city::list_documents(file, entry_endings).front();
+  if (!is_read_as_it_is(file)) return document;
   try {
     if (is_json(document)) return document;
   } catch (const Error&) {  // broken, as its reader says
@@ -77,11 +92,11 @@ std::optional<city::Document> find_json(const std::filesystem::path& file) {
 
 MapFile::MapFile(const std::filesystem::path& file) : path_(file), name_(file.string()) {
   static city::LastOfFiles<UnpackedMap> last;
-  std::optional<city::Document> json;
-  if (!city::is_zip(file) && !(json = find_json(file))) return;
+  std::optional<city::Document> alone;
+  if (!city::is_archive_file(file) && !(alone = find_unread(file))) return;
   const UnpackedMap map = last.find(
-      file, [&] { return unpack_map(json ? *json : find_map(file)); },
-      [](const UnpackedMap&) { return true; });
+      file, [&] { return unpack_map(alone ? *alone : find_map(file)); },
+      [](const UnpackedMap& kept) { return kept.bytes->size(); });
   unpacked_ = map.bytes;
   name_ = map.name;
   path_ = unpacked_->path_while_open();

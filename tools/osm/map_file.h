@@ -1,5 +1,5 @@
-// Maps that are read by another file: in a zip archive, as sites of extracts and mail programs pack
-// them, and in JSON.
+// Maps that are read by another file: in an archive, as sites of extracts and mail programs pack
+// them, in a stream that their readers do not know (xz, ...), and in JSON.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@
 namespace nightcity::osm {
 
 /// A map where the readers of this folder find it: where it lies, or in a file without a name, to
-/// which it was unpacked from an archive, or translated from JSON to XML.
+/// which it was unpacked, or translated from JSON to XML.
 class MapFile {
  public:
-  /// Throws Error where `file` is a zip archive that holds no map or several, or is broken, or is
+  /// Throws Error where `file` is an archive that holds no map or several, or is broken, or is
   /// broken JSON. Of other files the beginning is looked at. What was unpacked last is kept, as a
   /// bake reads a map several times.
   explicit MapFile(const std::filesystem::path& file);
@@ -47,6 +47,6 @@ auto read_map_file(const std::filesystem::path& file, const Work& work) {
 
 /// The endings of names of maps in an archive, in lower case. (.osm.gz is read under its name
 /// without .gz.)
-inline constexpr std::array<std::string_view, 4> map_endings{".osm", ".pbf", ".o5m", ".osm.bz2"};
+inline constexpr std::array<std::string_view, 3> map_endings{".osm", ".pbf", ".o5m"};
 
 }  // namespace nightcity::osm

@@ -50,7 +50,7 @@ bool begins_as_osm(std::string_view start) {
   const auto holds = [start](std::string_view text) {
     return start.find(text) != std::string_view::npos;
   };
-  return is_osm_pbf(start) || is_o5m(start) || is_bzip2(start) || holds("<osm ") ||
+  return is_osm_pbf(start) || is_o5m(start) || holds("<osm ") ||
          holds("<osm>") || begins_as_osm_json(start);
 }
 

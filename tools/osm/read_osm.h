@@ -9,9 +9,8 @@
 
 namespace nightcity::osm {
 
-/// Returns whether a file with these first bytes is an extract: XML, PBF or o5m. The bytes of a
-/// gzipped file are those of its content; bzip2, which nothing else here is packed in, counts as an
-/// extract.
+/// Returns whether a file with these first bytes is an extract: XML, PBF, o5m or JSON. The bytes of
+/// a packed file are those of its content.
 bool begins_as_osm(std::string_view start);
 
 /// Reads an extract or a history: XML by pugixml; PBF, o5m, gzip and bzip2 by libosmium. The first

@@ -10,6 +10,7 @@
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
+#include "tools/city/archive_entries.h"
 #include "tools/city/byte_source.h"
 #include "tools/city/text_encoding.h"
 #include "tools/georeference/frame.h"
@@ -236,21 +237,22 @@ SurveyedFile look_at(const fs::path& path) {
     if (attempt(look_at_raster)) return file;
     if (why.empty()) why = as_other;
   }
-  if (inventory::is_named_as_table(path)) {
+  if (inventory::may_be_table(path)) {
     const std::string as_other = std::exchange(why, {});
     if (attempt(look_at_table)) return file;
     // The words for what a table lacks say more than that it is no city model; but JSON and
     // archives may be anything.
-    constexpr std::array<std::string_view, 6> of_all_kinds{".json", ".jsonl", ".ndjson",
-                                                           ".gz",   ".zip",   ".shz"};
-    if (!is_table && city::ends_with_any(to_lower(path.string()), of_all_kinds)) why = as_other;
+    constexpr std::array<std::string_view, 4> of_all_kinds{".json", ".jsonl", ".ndjson", ".shz"};
+    if (!is_table && (city::ends_with_any(to_lower(path.string()), of_all_kinds) ||
+                      city::find_packing_of(path) != city::Packing::none))
+      why = as_other;
   }
   try {
     look_at_raster(file);
     return file;
   } catch (const terrain::NoRaster&) {  // it has been said what it is
   } catch (const Error& error) {        // a raster that holds no heights, unless it is a table
-    if (why.empty() || !inventory::is_named_as_table(path)) why = error.what();
+    if (why.empty() || !inventory::may_be_table(path)) why = error.what();
   }
   file.use = Use::nothing;
   const std::string prefix = path.string() + ": ";

@@ -13,6 +13,7 @@
 #include "formats/error.h"
 #include "formats/file_names.h"
 #include "formats/to_lower.h"
+#include "tools/city/packing.h"
 #include "tools/city/text_encoding.h"
 #include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/gsi_grid.h"
@@ -24,15 +25,6 @@ namespace nightcity::terrain {
 namespace {
 
 constexpr std::array<std::string_view, 1> any_ending{""};
-constexpr std::string_view gzip = ".gz";
-
-bool is_gzip(std::string_view name) {
-  return to_lower(name).ends_with(gzip);
-}
-
-std::string without_gzip(std::string_view name) {
-  return std::string(name.substr(0, name.size() - (is_gzip(name) ? gzip.size() : 0)));
-}
 
 // Returns a name with its folders but without what stands behind its first point, in lower case:
 // "a.tif", "a.tfw" and "a.tif.aux.xml" belong together.
@@ -89,7 +81,7 @@ std::vector<RasterFile> RasterUnpacker::unpack_archive(const std::string& path,
   std::set<std::string> stems;
   for (const Entry& entry : entries) {
     const std::string& name = entry.name;
-    if (to_lower(name).ends_with(".zip")) archives.push_back(&entry);
+    if (city::is_named_as_archive(to_lower(name))) archives.push_back(&entry);
     if (!(takes_texts ? is_named_as_text(name) : is_raster_name(name))) continue;
     (is_about_heights(name) ? passed_over : rasters).push_back(&entry);
     if (!is_about_heights(name)) stems.insert(find_stem(name));
@@ -133,7 +125,8 @@ std::vector<RasterFile> RasterUnpacker::copy_rasters(const std::vector<const Ent
 
 RasterFile RasterUnpacker::copy_alone(const std::filesystem::path& file,
                                       const city::Document& document) {
-  const std::filesystem::path plain = document.packed ? without_gzip(file.string()) : file.string();
+  const std::filesystem::path plain =
+      document.packed ? city::without_stream_ending(file.native()) : file.native();
   // These may lie beside, and are plain themselves.
   for (const char* ending : {".prj", ".PRJ", ".hdr", ".HDR", ".tfw", ".TFW"}) {
     std::filesystem::path beside = plain;
@@ -188,10 +181,11 @@ void RasterUnpacker::count(std::size_t bytes, const std::string& name) {
 
 bool holds_packed_rasters(const std::filesystem::path& file) {
   const city::FileContents contents = city::list_contents(file, any_ending);
-  return std::any_of(contents.documents.begin(), contents.documents.end(),
-                     [](const city::Document& document) {
-                       return document.packed && is_raster_name(without_gzip(document.name));
-                     });
+  return std::any_of(
+      contents.documents.begin(), contents.documents.end(), [](const city::Document& document) {
+        return document.packed &&
+               is_raster_name(std::string(city::without_stream_ending(document.name)));
+      });
 }
 
 }  // namespace nightcity::terrain

@@ -1,4 +1,4 @@
-// Rasters in archives and gzip streams.
+// Rasters in archives and streams (gzip, xz, ...).
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,7 @@ class RasterUnpacker {
   std::shared_ptr<gdal::ScratchFiles> files_;
 };
 
-/// Returns whether a file is an archive, or a gzip stream, in which a name ends as a raster's.
+/// Returns whether a file is an archive, or a stream, in which a name ends as a raster's.
 bool holds_packed_rasters(const std::filesystem::path& file);
 
 }  // namespace nightcity::terrain

@@ -12,7 +12,7 @@
 #include "formats/packed_file.h"
 #include "formats/to_lower.h"
 #include "tools/city/foreign_format.h"
-#include "tools/city/zip_archive.h"
+#include "tools/city/packing.h"
 
 namespace nightcity::terrain {
 
@@ -66,7 +66,8 @@ std::string explain_unread_raster(const std::string& path) {
   const std::string_view start(bytes.data(), size);
   if (start.empty()) return "it is empty";
   if (start.starts_with("\x1f\x8b")) return "it is packed by gzip: unpack it first (gunzip)";
-  if (start.starts_with(city::zip_mark)) return "it is a zip archive: unpack it first";
+  if (city::find_packing(start) == city::Packing::zip)
+    return "it is a zip archive: unpack it first";
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
   if (said.starts_with("Ungridded"))

@@ -9,6 +9,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/city/packing.h"
 #include "tools/terrain/gsi_grid.h"
 
 namespace nightcity::terrain {
@@ -32,11 +33,9 @@ constexpr std::array<std::string_view, 13> other_layers{
     "shade", "slope", "aspect", "hillshade", "shdrelief", "quality"};
 
 bool is_raster_or_packed(const std::string& name) {
-  const std::string_view gzip = ".gz";
-  const std::string_view plain =
-      std::string_view(name).substr(0, name.size() - (name.ends_with(gzip) ? gzip.size() : 0));
-  return name.ends_with(".zip") || is_named_as_gsi_grid(name) ||
-         city::ends_with_any(plain, raster_endings);
+  return city::is_named_as_archive(name) || city::is_named_as_volume(name) ||
+         is_named_as_gsi_grid(name) ||
+         city::ends_with_any(city::without_stream_ending(name), raster_endings);
 }
 
 }  // namespace
@@ -94,8 +93,9 @@ std::vector<fs::path> list_raster_files(const fs::path& path) {
     throw Error(path.string(), "the folder holds only rasters whose names speak of no heights (" +
                                    first + "): where they are heights, name the files");
   if (files.empty())
-    throw Error(path.string(), "no " + city::join_endings(raster_endings) +
-                                   " (also .gz) or .zip in this folder and those inside it");
+    throw Error(path.string(),
+                "no " + city::join_endings(raster_endings) +
+                    " (also .gz, .xz, ...) or archive in this folder and those inside it");
   if (passed_over > 0)
     std::fprintf(stderr,
                  "note: %s: %zu rasters were passed over whose names speak of no heights (%s): "

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "support/pack_archive.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/city/foreign_format.h"
@@ -111,7 +112,11 @@ TEST(FileFormat, ContentDecidesInPackedFilesToo) {
             "OSM");
   EXPECT_EQ(name_of_format(gzipped(city_text), ".osm.gz"), "CityGML");
   EXPECT_EQ(name_of_format(gzipped(osm_text), ".gml.gz"), "OSM");
-  EXPECT_EQ(name_of_format("BZh91AY", ".bz2"), "OSM");
+  for (const std::string ending : test::stream_forms) {
+    const test::TempFolder folder;
+    test::pack_stream(folder / ("a" + ending), osm_text);
+    EXPECT_STREQ(find_format(folder / ("a" + ending)).name, "OSM") << ending;
+  }
   EXPECT_THROW(name_of_format(gzipped("glTF\x02"), ".glb.gz"), Error);  // no reader unpacks it
 }
 
@@ -219,9 +224,7 @@ TEST(FileFormat, BrokenStreamsInArchivesAreNamed) {
     EXPECT_NE(why(stream.substr(0, size)).find("/a.gml: broken gzip stream: truncated"),
               std::string::npos)
         << why(stream.substr(0, size));
-  EXPECT_NE(why(city_text).find("/a.gml: broken gzip stream: incorrect header check"),
-            std::string::npos)
-      << why(city_text);
+  EXPECT_EQ(why(city_text), "was read") << "as servers unpack files on their way";
 }
 
 TEST(FileFormat, FilesWithoutAMarkAreToldByTheirNames) {
@@ -256,12 +259,13 @@ TEST(FileFormat, WhatAFileIsNotIsSaidWithTheRemedy) {
     std::string content, ending, words;
   };
   for (const Case& c : {
-           Case{tar, ".tar", "tar archive: unpack it"},
-           Case{gzipped(tar), ".tgz", "tar archive: unpack it"},
+           Case{tar, ".tar", "broken tar archive"},
+           Case{gzipped(tar), ".tgz", "broken tar archive"},
            Case{"\xFD"
                 "7zXZ\0"s,
-                ".gml.xz", "xz: unpack it"},
-           Case{"BZh91AY", ".gml.bz2", "bzip2, which is read for OSM alone"},
+                ".gml.xz", "broken xz stream"},
+           Case{"BZh91AY", ".gml.bz2", "broken bzip2 stream"},
+           Case{"\x1F\x9D\x90", ".gml.Z", "is packed by compress: unpack it first"},
            Case{"PK", ".zip", "no zip archive"},
            Case{"hello", ".zip", "no zip archive"},
            Case{"{\"recipe\": 1}", ".json", "is JSON of another kind"},

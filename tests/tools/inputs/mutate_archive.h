@@ -2,9 +2,12 @@
 // bytes that are changed in a deflated entry end in its checksum, before our readers.
 #pragma once
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <zip.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -75,6 +78,52 @@ inline std::string mutate_zip(std::string_view file, unsigned seed) {
   return packed;
 }
 
+/// Returns a tar or 7z archive, maybe in a stream, with what a tar, 7z, RAR or stream holds, one
+/// entry of it changed; "" where the file is none that libarchive can follow.
+inline std::string mutate_other(std::string_view file, unsigned seed) {
+  struct Freed {
+    void operator()(archive* object) const { archive_free(object); }
+    void operator()(archive_entry* object) const { archive_entry_free(object); }
+  };
+  // Before the writer, which may write to them as it is freed.
+  std::string packed(file.size() + 2 * max_unpacked_entry, '\0');
+  std::size_t used = 0;
+  const std::unique_ptr<archive, Freed> in(archive_read_new()), out(archive_write_new());
+  archive_read_support_filter_all(in.get());
+  for (const auto support : {archive_read_support_format_tar, archive_read_support_format_7zip,
+                             archive_read_support_format_rar, archive_read_support_format_rar5})
+    support(in.get());
+  if (archive_read_open_memory(in.get(), file.data(), file.size()) != ARCHIVE_OK) return {};
+  const bool is_7z = seed / 8 % 4 == 0;
+  archive_write_set_format(out.get(),
+                           is_7z ? ARCHIVE_FORMAT_7ZIP : ARCHIVE_FORMAT_TAR_PAX_RESTRICTED);
+  constexpr std::array<int, 4> filters{ARCHIVE_FILTER_NONE, ARCHIVE_FILTER_GZIP, ARCHIVE_FILTER_XZ,
+                                       ARCHIVE_FILTER_ZSTD};
+  if (!is_7z) archive_write_add_filter(out.get(), filters[seed / 32 % filters.size()]);
+  archive_write_open_memory(out.get(), packed.data(), packed.size(), &used);
+  archive_entry* entry = nullptr;
+  std::size_t number = 0;
+  std::string text;
+  for (; archive_read_next_header(in.get(), &entry) == ARCHIVE_OK && number < 16; ++number) {
+    text.assign(max_unpacked_entry / 4, '\0');
+    const la_ssize_t size = archive_read_data(in.get(), text.data(), text.size());
+    text.resize(size < 0 ? 0 : static_cast<std::size_t>(size));
+    if (number == seed / 128 % 4) {
+      const std::size_t before = text.size(), room = before + 64;
+      text.resize(room);
+      text.resize(LLVMFuzzerMutate(reinterpret_cast<std::uint8_t*>(text.data()), before, room));
+    }
+    const std::unique_ptr<archive_entry, Freed> copy(archive_entry_clone(entry));
+    archive_entry_set_size(copy.get(), static_cast<la_int64_t>(text.size()));
+    archive_entry_sparse_clear(copy.get());
+    if (archive_write_header(out.get(), copy.get()) < ARCHIVE_WARN) return {};
+    archive_write_data(out.get(), text.data(), text.size());
+  }
+  if (number == 0 || archive_write_close(out.get()) != ARCHIVE_OK) return {};
+  packed.resize(used);
+  return packed;
+}
+
 }  // namespace nightcity::test
 
 /// One in eight mutations is libFuzzer's own, so that headers and packings are changed too.
@@ -83,6 +132,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   std::string mutated;
   if (seed % 8 != 0)
     mutated = nightcity::test::mutate_zip({reinterpret_cast<const char*>(data), size}, seed);
+  if (seed % 8 != 0 && mutated.empty())
+    mutated = nightcity::test::mutate_other({reinterpret_cast<const char*>(data), size}, seed);
   if (mutated.empty() || mutated.size() > max_size) return LLVMFuzzerMutate(data, size, max_size);
   std::copy(mutated.begin(), mutated.end(), data);
   return mutated.size();

@@ -136,13 +136,12 @@ TEST_F(NestedArchive, WhatIsPassedOverInsideIsCountedByWhatItIs) {
       read_city(write({{"a.gml", house("a")}}), {}, [](city::CityObject&&) {}).passed_over.empty());
 }
 
-// Deliveries in archives that are not read: the remedy is told wherever they lie.
-TEST_F(NestedArchive, OtherKindsOfArchivesAreToldInFoldersToo) {
-  const std::string tar = std::string(257, '\0') + "ustar" + std::string(250, '\0');
+// A city may lie in each of them.
+TEST_F(NestedArchive, BrokenArchivesOfAllKindsAreToldInFoldersToo) {
   const std::vector<std::pair<std::string, std::string>> kinds{
-      {"a.7z", std::string("7z\xBC\xAF\x27\x1C") + std::string(40, '\0')},
+      {"a.7z", std::string("7z\xBC\xAF\x27\x1C") + std::string(40, '\4')},
       {"a.rar", std::string("Rar!\x1A\x07\x01") + std::string(40, '\0')},
-      {"a.tar", tar},
+      {"a.tar", std::string(257, 'a') + "ustar" + std::string(250, '\0')},
       {"a.tar.bz2", "BZh91AY&SY"},
       {"a.txz", std::string("\xFD"
                             "7zXZ\0",
@@ -152,13 +151,10 @@ TEST_F(NestedArchive, OtherKindsOfArchivesAreToldInFoldersToo) {
     for (const auto& what : {folder_ / name, folder_.path()}) {
       const std::string message = message_of([&] { find_format(city_files(what).front()); });
       EXPECT_NE(message.find(name), std::string::npos) << message;
-      EXPECT_NE(message.find("unpack it first"), std::string::npos) << message;
+      EXPECT_NE(message.find("broken"), std::string::npos) << message;
     }
     fs::remove(folder_ / name);
   }
-  test::write_text(folder_ / "a.gml", house("a"));
-  test::write_text(folder_ / "b.7z", kinds.front().second);
-  EXPECT_EQ(city_files(folder_.path()), std::vector<fs::path>{folder_ / "a.gml"});
 }
 
 TEST_F(NestedArchive, ModelsOfOtherProgramsAreNamedWithTheRemedy) {

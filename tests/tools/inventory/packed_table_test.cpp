@@ -9,6 +9,7 @@
 
 #include "formats/error.h"
 #include "support/error_message.h"
+#include "support/pack_archive.h"
 #include "support/pack_zip.h"
 #include "support/temp_folder.h"
 #include "tools/gdal/guarded_gdal.h"
@@ -129,6 +130,26 @@ TEST(PackedTable, AGzipStreamHoldsATable) {
   pack_gzip(folder / "page.geojson.gz", page + std::string(one_lamp).substr(1));
   EXPECT_NE(read_packed(folder / "page.geojson.gz").report.incomplete.find("1 of its 9"),
             std::string::npos);
+}
+
+TEST(PackedTable, EveryFormHoldsTheSameLamp) {
+  const TempFolder folder;
+  const Entries shapefile = make_shapefile("data/lamps");
+  for (const char* form : test::archive_forms) {
+    const auto path = folder / ("a" + std::string(form));
+    test::pack_archive(path, {shapefile.begin(), shapefile.end()});
+    expect_lamp(path);
+    test::pack_archive(path, {{"readme.md", "x"}, {"lamps.csv", one_line}});
+    expect_lamp(path, "EPSG:4326");
+  }
+  for (const char* form : test::stream_forms) {
+    const auto path = folder / ("lamps.csv" + std::string(form));
+    test::pack_stream(path, one_line);
+    expect_lamp(path, "EPSG:4326");
+    test::pack_archive(folder / "b.tar",
+                       {{"lamps.csv" + std::string(form), test::read_text(path)}});
+    expect_lamp(folder / "b.tar", "EPSG:4326");
+  }
 }
 
 TEST(PackedTable, WhatIsNotOneTableIsNamedWithARemedy) {

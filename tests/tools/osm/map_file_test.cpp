@@ -1,4 +1,4 @@
-// Maps in zip archives.
+// Maps in archives and streams.
 #include "tools/osm/map_file.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "support/error_message.h"
-#include "support/pack_zip.h"
+#include "support/pack_archive.h"
 #include "support/temp_folder.h"
 #include "tools/osm/first_nodes.h"
 #include "tools/osm/map_areas.h"
@@ -34,6 +34,30 @@ TEST(MapFile, AMapIsReadInTheArchiveThatHoldsIt) {
     EXPECT_EQ(data.buildings.size(), 1u);
     EXPECT_EQ(read_map_areas(path, {{"building"}}, 100).areas.size(), 1u);
     EXPECT_EQ(read_first_nodes(path, 1).size(), 1u);
+  }
+}
+
+TEST(MapFile, EveryFormOfArchiveAndStreamHoldsTheSameMap) {
+  const test::TempFolder folder;
+  const auto expect_map = [](const std::filesystem::path& path) {
+    const OsmData data = read_osm(path);
+    ASSERT_EQ(data.lamps.size(), 1u) << path;
+    EXPECT_EQ(data.lamps[0].lon_lat, glm::dvec2(2, 1)) << path;
+    EXPECT_EQ(data.buildings.size(), 1u) << path;
+    EXPECT_EQ(read_map_areas(path, {{"building"}}, 100).areas.size(), 1u) << path;
+    EXPECT_EQ(read_first_nodes(path, 1).size(), 1u) << path;
+  };
+  for (const char* form : test::archive_forms) {
+    const auto path = folder / ("m" + std::string(form));
+    test::pack_archive(path, {{"LICENCE.txt", "ODbL"}, {"extract/map.osm", map}});
+    expect_map(path);
+  }
+  for (const char* form : test::stream_forms) {
+    const auto path = folder / ("m.osm" + std::string(form));
+    test::pack_stream(path, map);
+    expect_map(path);
+    test::pack_archive(folder / "m.tar", {{"map.osm" + std::string(form), test::read_text(path)}});
+    expect_map(folder / "m.tar");
   }
 }
 

@@ -469,9 +469,9 @@ TEST_F(OsmFile, WhatIsNoExtractIsNamed) {
   } files[] = {
       {"\xfd"
        "7zXZ\0 rest"s,
-       "packed by xz"},
-      {"\x28\xb5\x2f\xfd rest", "packed by zstd"},
-      {"\x04\x22\x4d\x18 rest", "packed by lz4"},
+       "broken xz stream"},
+      {"\x28\xb5\x2f\xfd rest", "broken zstd stream"},
+      {"\x04\x22\x4d\x18 rest", "broken lz4 stream"},
       {"n2 v0 dV c0 t i0 u T x9.001 y48.995\n", "OPL"},
       {"\xff\xe0\x04o5c2", "change file"},
       {"<?xml version='1.0'?><osmChange version='0.6'/>", "apply-changes"},

@@ -12,6 +12,7 @@
 
 #include "formats/error.h"
 #include "support/error_message.h"
+#include "support/pack_archive.h"
 #include "support/pack_zip.h"
 #include "support/temp_folder.h"
 #include "tools/terrain/open_models.h"

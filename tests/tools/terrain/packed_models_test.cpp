@@ -113,6 +113,41 @@ TEST(PackedModels, WhatTellsHowGoodHeightsAreIsNoHeight) {
   EXPECT_FALSE(is_about_heights("slope.tif")) << "it may be a place";
 }
 
+// IGN delivers .7z, others tars: with world files, .prj and rasters that speak of no heights.
+TEST(PackedModels, EveryFormHoldsTheSameHeights) {
+  const TempFolder folder;
+  const Entries files{{"RGEALTI/SUPP/RGEALTI_FXX_0390_5819_DST_5M.asc", make_ascii_grid(9)},
+                      {"RGEALTI/MNT/a.tif", make_tiff(37.5)},
+                      {"RGEALTI/MNT/a.tfw", world_file},
+                      {"RGEALTI/MNT/a.prj", make_prj()},
+                      {"RGEALTI/LISEZ_MOI.txt", "x"}};
+  for (const char* form : test::archive_forms) {
+    const auto path = folder / ("a" + std::string(form));
+    test::pack_archive(path, files);
+    EXPECT_EQ(heights_of(path), Heights{37.5}) << form;
+    EXPECT_TRUE(open_elevation_models({path}, {}).front().has_crs()) << form;
+    EXPECT_TRUE(holds_packed_rasters(path)) << form;
+  }
+  for (const char* form : test::stream_forms) {
+    const auto path = folder / ("a.asc" + std::string(form));
+    test::pack_stream(path, make_ascii_grid(12));
+    write_text(folder / "a.prj", make_prj());
+    EXPECT_EQ(heights_of(path), Heights{12}) << form;
+    EXPECT_TRUE(open_elevation_models({path}, {}).front().has_crs()) << form;
+    EXPECT_TRUE(holds_packed_rasters(path)) << form;
+    pack_zip(folder / "b.zip", {{"in/a.asc" + std::string(form), read_text(path)}});
+    EXPECT_EQ(heights_of(folder / "b.zip"), Heights{12}) << form;
+  }
+}
+
+TEST(PackedModels, FoldersAreSearchedForArchives) {
+  const TempFolder folder;
+  test::pack_archive(folder / "a.7z", {{"a.asc", make_ascii_grid(1)}});
+  test::pack_archive(folder / "b.tar.gz", {{"b.asc", make_ascii_grid(2)}});
+  test::pack_stream(folder / "c.asc.xz", make_ascii_grid(3));
+  EXPECT_EQ(heights_of(folder.path()), (Heights{1, 2, 3}));
+}
+
 TEST(PackedModels, WhatIsNotReadIsNamed) {
   const TempFolder folder;
   const auto path = folder / "a.zip";

@@ -10,12 +10,13 @@ Table make_terrain_table(bake::GroundOptions& terrain, const std::filesystem::pa
       "The ground of a city where its model has no relief.",
       {paths_key(
            "dem", terrain.elevation_models, folder, {.expand = terrain::list_raster_files},
-           R"(["heights.tif", "tiles.zip"])",
+           R"(["heights.tif", "tiles.7z"])",
            "Digital elevation models in a raster format that GDAL reads, except those "
            "that lead to other files or the network (VRT, WMS), and in GSI's of Japan "
            "(FG-GML-...-DEM...xml). A folder stands for the rasters "
-           "in it and in the folders inside it, a .zip for those in it with their .tfw, .prj or "
-           ".hdr (a text in it is one where nothing else is), and a .gz is unpacked. Rasters that "
+           "in it and in the folders inside it, an archive for those in it with their .tfw, .prj or "
+           ".hdr (a text in it is one where nothing else is), and a stream is unpacked "
+           "(docs/recipe.md, Packed files). Rasters that "
            "come beside heights and say how good they are (`_HEM`, `_num`, ...) are passed over, "
            "with a note. Where several have a height the finest decides, of about equally fine "
            "ones the first, and between tiles that meet both do. Their heights are moved to meet "
@@ -31,7 +32,7 @@ Table make_terrain_table(bake::GroundOptions& terrain, const std::filesystem::pa
                    "which are unpacked as a whole) have more pixels, in millions. The size of "
                    "the model itself does not matter."),
        integer_key("max_dem_unpacked_mb", terrain.max_dem_unpacked_mb, 1, 100'000'000,
-                   "A limit: the bake ends where the elevation models in archives and gzip "
+                   "A limit: the bake ends where the elevation models in archives and "
                    "streams together unpack to more, in MB of the temporary folder. One entry "
                    "unpacks to 200 times its size or 1 GB at most."),
        flag_key(

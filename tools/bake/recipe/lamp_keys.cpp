@@ -174,8 +174,9 @@ Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem:
       "the lamp, as for lamps of the map.",
       {{"file", "path", "", "", "", "\"lamps.geojson\"",
         "GeoJSON, CSV, GeoPackage, Shapefile, FlatGeobuf, or rows in JSON as servers answer; "
-        "plain, or as the only table in a .zip or .gz. A CSV may end in .txt. The headings of a "
-        "CSV are the first that name places, also below titles. Required.",
+        "plain, or packed (docs/recipe.md, Packed files): the only table in an archive. A CSV may "
+        "end in .txt. The headings of a CSV are the first that name places, also below titles. "
+        "Required.",
         [&row, folder](const Value& value) { row.file = value.path(folder); }},
        text_key("layer", row.layer, "\"lamps\"",
                 "The layer, where several in the file may hold points."),
@@ -223,7 +224,8 @@ Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path
   return {"lamps.luminaires",
           "One measured luminaire: a row of `[lamps] luminaires`.",
           {{"file", "path", "", "", "", "\"street.ldt\"",
-            "Photometric file: IES LM-63, EULUMDAT, TM-33 (XML) or GLDF. Required.",
+            "Photometric file: IES LM-63, EULUMDAT, TM-33 (XML) or GLDF; plain, or packed "
+            "(docs/recipe.md, Packed files): the only one in an archive. Required.",
             [&row, folder](const Value& value) { row.file = value.path(folder); }},
            {"roads", "list of strings", "", "", "values of OSM's `highway`", R"(["residential"])",
             "Only for lamps beside these classes of road. Without it: beside every road.",

@@ -30,9 +30,9 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
       "The map: street lamps, streets, and outlines that say what a building is used for.",
       {paths_key("files", osm.files, folder, {}, R"(["streets.osm.pbf"])",
                  "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz, .osm.bz2 or JSON as Overpass "
-                 "answers, or the only map in a .zip. Paths are relative to the recipe. Several "
-                 "extracts are merged; an object that is in more than one is taken in its newest "
-                 "version."),
+                 "answers, or packed otherwise (docs/recipe.md, Packed files): the only map in an "
+                 "archive. Paths are relative to the recipe. Several extracts are merged; an "
+                 "object that is in more than one is taken in its newest version."),
        flag_key("buildings", osm.buildings,
                 "Without `[city] files`, the map's buildings are the city model: `building`, "
                 "`building:part`, `height`, `est_height`, `min_height`, `building:levels`, "

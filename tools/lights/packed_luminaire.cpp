@@ -1,4 +1,5 @@
-// GLDF, the Global Lighting Data Format: a .zip whose product.xml names files of photometry.
+// Photometry in archives and streams. GLDF, the Global Lighting Data Format, is a .zip whose
+// product.xml names files of photometry.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
+#include "tools/city/archive_entries.h"
 #include "tools/city/byte_source.h"
 #include "tools/lights/luminaire.h"
 #include "tools/lights/text_lines.h"
@@ -47,10 +49,8 @@ std::pair<std::string, std::size_t> find_photometry(const pugi::xml_node& root,
   throw Error(product, "names no file of photometry");
 }
 
-}  // namespace
-
-Luminaire read_gldf(const std::filesystem::path& file) {
-  const std::vector<city::Document> products = city::list_documents(file, product_endings);
+Luminaire read_gldf(const std::filesystem::path& file,
+                    const std::vector<city::Document>& products) {
   const TextLines product(products.front().name, read_whole(products.front()));
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(
@@ -68,6 +68,42 @@ Luminaire read_gldf(const std::filesystem::path& file) {
   throw Error(product.file(), "names \"" + name.substr(0, 100) +
                                   "\" as photometry, which is not in the archive as .ldt, .ies or "
                                   ".xml");
+}
+
+// Reads the one file of photometry in an archive that is no GLDF.
+Luminaire read_only_photometry(const std::filesystem::path& file) {
+  std::vector<TextLines> found;
+  for (const city::Document& entry : city::list_documents(file, photometry_endings)) {
+    TextLines lines(entry.name, read_whole(entry));
+    const bool may_be_other = to_lower(entry.name).ends_with(".xml");
+    if (!may_be_other || begins_as_tm33(lines.text())) found.push_back(std::move(lines));
+  }
+  if (found.empty())
+    throw Error(file.string(), "the archive holds neither photometry nor a product.xml (GLDF)");
+  if (found.size() > 1)
+    throw Error(file.string(), "the archive holds several files of photometry (" +
+                                   base_name(found[0].file()) + ", " + base_name(found[1].file()) +
+                                   (found.size() > 2 ? ", ..." : "") +
+                                   ") and no product.xml (GLDF) that names one: unpack it and name "
+                                   "one of them");
+  return read_luminaire(found.front());
+}
+
+}  // namespace
+
+Luminaire read_packed_luminaire(const std::filesystem::path& file) {
+  if (!city::is_archive_file(file)) {
+    const city::Document stream = city::list_documents(file, photometry_endings).front();
+    return read_luminaire(TextLines(stream.name, read_whole(stream)));
+  }
+  std::vector<city::Document> products;
+  try {
+    products = city::list_documents(file, product_endings);
+  } catch (const city::NothingInside&) {
+    if (to_lower(file.extension().string()) == ".gldf") throw;
+    return read_only_photometry(file);
+  }
+  return read_gldf(file, products);
 }
 
 }  // namespace nightcity::lights
