@@ -44,8 +44,9 @@ struct FileBuildings {
   std::vector<osm::MapArea> parts;
   std::vector<bool> is_own_part;  // whether the file has it
   osm::MapAreas counts;           // of the file, without areas
-  /// Areas of the file that stand as high as buildings and are none, such as chimneys, by kind.
-  std::map<std::string, std::size_t> tall_things;
+  /// Chimneys, tanks and the like of the file, which are no buildings and stand as they do.
+  std::vector<osm::MapArea> tall_things;
+  std::map<std::string, std::size_t> left_out;  // of them and of points, by reason
 };
 
 /// Reads the buildings of `file`. Where it is one of several in `options.maps`, a map that was cut

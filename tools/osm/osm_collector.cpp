@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "tools/osm/crowded_streets.h"
+#include "tools/osm/kind_keys.h"
 #include "tools/osm/lifecycle.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/repeated_things.h"
 #include "tools/osm/resolution.h"
+#include "tools/osm/tag_values.h"
 #include "tools/place/longitude.h"
 
 namespace nightcity::osm {
@@ -32,6 +36,14 @@ glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
     sum += glm::dvec2(place::count_on(points[n].x, points[0].x), points[n].y);
   sum /= static_cast<double>(count);
   return {place::count_on(sum.x, 0), sum.y};
+}
+
+// Returns whether a relation is an area of which its outer ways say what it is (OuterWays).
+bool is_untagged_area(const OsmTags& tags) {
+  return find_tag(tags, "type") == "multipolygon" &&
+         std::none_of(kind_keys.begin(), kind_keys.end(), [&](std::string_view key) {
+           return tags.contains(std::string(key));
+         });
 }
 
 // A node that a way names twice in a row would be a junction to what counts arms.
@@ -111,6 +123,7 @@ void OsmCollector::add_bounds(LonLatBox box) {
 void OsmCollector::add_relation(const OsmTags& tags) {
   ++data_.relations;
   if (is_barrier(tags)) ++data_.barrier_relations;
+  if (is_building(tags) || is_untagged_area(tags)) ++data_.building_relations;
   if (is_lamp(tags)) ++data_.lamp_relations;
 }
 

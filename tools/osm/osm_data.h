@@ -78,7 +78,8 @@ struct OsmData {
   std::vector<OsmPoint> squares;     // nodes with place=square
   std::vector<OsmShiningThing> shining_things;  // by id, nodes first
   std::size_t nodes = 0, ways = 0, relations = 0;
-  std::size_t barrier_relations = 0;  // with barrier=*: read_map_areas has their outlines
+  // Relations that are barriers, and that may be buildings: read_map_areas has their outlines.
+  std::size_t barrier_relations = 0, building_relations = 0;
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;
   std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version
   std::size_t lamp_relations = 0;  // not read
