@@ -32,7 +32,7 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                  "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz, .osm.bz2 or JSON as Overpass "
                  "answers, or the only map in a .zip. Paths are relative to the recipe. Several "
                  "extracts are merged; an object that is in more than one is taken in its newest "
-                 "version."),
+                 "version. Nodes, ways and relations may lie in files of their own."),
        flag_key("buildings", osm.buildings,
                 "Without `[city] files`, the map's buildings are the city model: `building`, "
                 "`building:part`, `height`, `est_height`, `min_height`, `building:levels`, "
