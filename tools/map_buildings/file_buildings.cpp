@@ -87,13 +87,23 @@ void add_others(const CityMaps::Areas& others, FileBuildings& to) {
 CityMaps::Areas CityMaps::read(int max_way_nodes) {
   const std::lock_guard lock(mutex_);
   if (max_way_nodes_ != max_way_nodes) {
-    Areas areas;
+    std::vector<std::shared_ptr<MapAreas>> areas;
     for (const std::filesystem::path& file : files_)
-      areas.push_back(std::make_shared<const MapAreas>(read_areas(file, max_way_nodes)));
+      areas.push_back(std::make_shared<MapAreas>(read_areas(file, max_way_nodes)));
     areas_ = std::move(areas);
     max_way_nodes_ = max_way_nodes;
   }
-  return areas_;
+  return {areas_.begin(), areas_.end()};
+}
+
+MapAreas CityMaps::take_only(int max_way_nodes) {
+  const std::lock_guard lock(mutex_);
+  const bool is_kept = max_way_nodes_ == max_way_nodes;
+  max_way_nodes_.reset();
+  const auto kept = std::move(areas_);
+  if (!is_kept) return read_areas(files_.front(), max_way_nodes);
+  // Others may still look at them.
+  return kept.front().use_count() > 1 ? *kept.front() : std::move(*kept.front());
 }
 
 FileBuildings read_file_buildings(const std::filesystem::path& file,
@@ -103,7 +113,10 @@ FileBuildings read_file_buildings(const std::filesystem::path& file,
   const auto& maps = options.maps ? options.maps->files() : alone;
   const auto at = std::find(maps.begin(), maps.end(), file);
   if (maps.size() < 2 || at == maps.end()) {
-    add_own(read_areas(file, options.max_way_nodes), result);
+    const bool is_of_city = options.maps && at != maps.end();
+    add_own(is_of_city ? options.maps->take_only(options.max_way_nodes)
+                       : read_areas(file, options.max_way_nodes),
+            result);
     leave_out_tall_things(result);
     return result;
   }

@@ -28,12 +28,14 @@ class CityMaps {
   const std::vector<std::filesystem::path>& files() const { return files_; }
   /// May be called on several threads. Throws Error: a map is missing or broken.
   Areas read(int max_way_nodes);
+  /// Returns those of the only map, which are not kept any longer, as nothing else needs them.
+  osm::MapAreas take_only(int max_way_nodes);
 
  private:
   std::vector<std::filesystem::path> files_;
   std::mutex mutex_;
   std::optional<int> max_way_nodes_;  // that areas_ was read with
-  Areas areas_;
+  std::vector<std::shared_ptr<osm::MapAreas>> areas_;
 };
 
 struct FileBuildings {
