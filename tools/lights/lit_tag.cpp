@@ -11,8 +11,10 @@
 namespace nightcity::lights {
 namespace {
 
-constexpr std::array<std::string_view, 7> dark_words = {"no",   "disused", "broken", "never",
-                                                        "none", "false",   "off"};
+// Some write "no" in their own language, where "yes" is what would be taken without a word.
+constexpr std::array<std::string_view, 17> dark_words = {
+    "no",  "disused", "broken", "never", "none", "false", "off",   "unlit", "não",
+    "nao", "nie",     "nee",    "nein",  "non",  "нет",   "hayır", "nej"};
 constexpr std::array<std::string_view, 6> whole_night = {"yes",       "automatic", "sunset_sunrise",
                                                          "dusk_dawn", "always",    "all_night"};
 constexpr std::array<std::string_view, 4> part_of_night = {"limited", "interval", "half_night",

@@ -78,6 +78,21 @@ TEST(MapBuildings, LevelsAndHeightsAreReadAsPeopleWriteThem) {
   expect_near(height_of("height=11,est_height=12"), 11);
 }
 
+TEST(MapBuildings, LevelsAreReadAsSeveralCountriesWriteThem) {
+  const std::pair<const char*, int> cases[] = {
+      {"3F", 3},          {"5階建て", 5},    {"地上5階", 5},      {"地上3階地下1階", 3},
+      {"2 andares", 2},   {"térreo", 1},     {"2 pavimentos", 2}, {"G+4", 5},
+      {"G + 3", 4},       {"S+4", 5},        {"Stilt+4", 5},      {"g+1", 2},
+      {"parter", 1},      {"parter + 2", 3}, {"P + 2", 3},        {"5 kondygnacji", 5},
+      {"3 bouwlagen", 3}, {"2-story", 2}};
+  for (const auto& [levels, expected] : cases) {
+    city::SkipCounter notes;
+    EXPECT_EQ(find_sizes({{"building", "yes"}, {"building:levels", levels}}, notes).storeys,
+              expected)
+        << levels;
+  }
+}
+
 TEST(MapBuildings, WordsBehindACountOfLevelsAreTold) {
   Map map;
   map.add_rectangle(0, 0, 10, 6, "building=yes,building:levels=3 + attic");
