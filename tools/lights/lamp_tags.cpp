@@ -45,6 +45,16 @@ auto number_in(std::initializer_list<string_view> units) {
   };
 }
 
+std::optional<double> parse_lamp_count(string_view text) {
+  constexpr std::pair<string_view, double> words[] = {{"one", 1},    {"single", 1}, {"two", 2},
+                                                      {"double", 2}, {"twin", 2},   {"three", 3},
+                                                      {"triple", 3}, {"four", 4}};
+  const std::string word = osm::normalise_tag(text);
+  for (const auto& [name, count] : words)
+    if (word == name) return count;
+  return number_in({"lamps", "lights", "luminaires"})(text);
+}
+
 class LampTagReader {
  public:
   LampTagReader(const osm::OsmTags& tags, Half half) : tags_(tags), half_(half) {}
@@ -191,9 +201,8 @@ class LampTagReader {
     lamp_.tilt_degrees = first_of({"light:tilt"}, between(-90, 90, number_in({"\xc2\xb0", "deg"})));
     if (lamp_.tilt_degrees)
       *lamp_.tilt_degrees += 90;  // OSM counts from the horizontal: -90 is straight down
-    const auto count = first_of(
-        {"light:count", "lamp_count", "lamp:count", "lamps"},
-        between(1, static_cast<double>(max_count), number_in({"lamps", "lights", "luminaires"})));
+    const auto count = first_of({"light:count", "lamp_count", "lamp:count", "lamps"},
+                                between(1, static_cast<double>(max_count), parse_lamp_count));
     lamp_.count = static_cast<int>(
         std::max<std::size_t>({1, count ? static_cast<std::size_t>(std::lround(*count)) : 1,
                                lamp_.directions_degrees.size()}));

@@ -37,6 +37,14 @@ bool take_ground_floor(string_view& text) {
   return true;
 }
 
+// Takes the basements off the front of "B+G+4" and "2B+G+4".
+void drop_basements(string_view& text) {
+  const std::size_t plus = text.find('+');
+  if (plus == text.npos) return;
+  const std::string word = osm::normalise_tag(text.substr(0, plus));
+  if (word == "b" || word == "1b" || word == "2b" || word == "3b") text.remove_prefix(plus + 1);
+}
+
 bool is_ground_floor_alone(string_view text) {
   constexpr std::array<string_view, 9> words{"parter", "térreo", "terreo",       "eg",  "rdc",
                                              "gf",     "pb",     "ground_floor", "平屋"};
@@ -68,6 +76,7 @@ double take_fraction(string_view& text) {
 std::optional<Levels> parse_one(string_view text) {
   while (text.starts_with('~') || text.starts_with(' ')) text.remove_prefix(1);
   if (is_ground_floor_alone(text)) return Levels{1, true};
+  drop_basements(text);
   keep_above_ground(text);
   const double below = take_ground_floor(text) ? 1 : 0;  // levels that the number does not count
   const double alone = take_fraction(text);

@@ -16,11 +16,12 @@ using std::string_view;
 
 // Removes the words and signs that say that a length is about right.
 void skip_about(string_view& text) {
-  constexpr std::array<string_view, 22> words = {
-      "~",      "<",     ">",      "+",        "approximately", "approx.",
-      "approx", "about", "around", "circa",    "ca.",           "c.",
-      "約",     "约",    "aprox.", "cerca de", "environ",       "env.",
-      "etwa",   "około", "ok.",    "ongeveer"};
+  constexpr std::array<string_view, 24> words = {
+      "~",        "<",        ">",     "+",      "approximately",
+      "approx.",  "approx",   "about", "around", "circa",
+      "ca.",      "c.",       "約",    "约",     "aprox.",
+      "cerca de", "environ",  "env.",  "etwa",   "około",
+      "ok.",      "ongeveer", "W=",    "w="};
   for (bool found = true; found;) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
     found = false;
@@ -128,6 +129,14 @@ std::string drop_thousands_of_feet(string_view text) {
   return std::string(text.substr(0, comma)) + std::string(after);
 }
 
+// Returns "6 - 8 m" for "6 to 8 m", also in other languages.
+std::string join_range(std::string text) {
+  for (const string_view between : {" to ", " a ", " à ", " tot ", " bis ", " do "})
+    if (const std::size_t at = text.find(between); at != text.npos && at > 0)
+      return text.replace(at, between.size(), "-");
+  return text;
+}
+
 // Returns the middle of a range whose lower end has a unit too: "3 m - 4 m". `rest`: what stands
 // behind its number.
 std::optional<double> take_upper_end(double lower, string_view rest) {
@@ -144,7 +153,7 @@ std::optional<double> take_upper_end(double lower, string_view rest) {
 }  // namespace
 
 std::optional<double> parse_length_m(string_view text) {
-  const std::string plain = to_plain_signs(text);
+  const std::string plain = join_range(to_plain_signs(text));
   const auto parts = split_list(plain);
   if (parts.empty()) return std::nullopt;
   string_view rest = parts.front();

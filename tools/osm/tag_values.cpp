@@ -162,8 +162,9 @@ double take_factor(string_view& text) {
 std::optional<double> parse_watts(string_view text) {
   constexpr double least = 3;
   const double factor = take_factor(text);
-  const auto one =
-      parse_amount(text, least, {"w", "watt", "watts", "вт", "Вт"}, {"kw", "kilowatt"});
+  const auto one = parse_amount(
+      text, least, {"w", "watt", "watts", "wat", "wats", "vatios", "watios", "вт", "Вт"},
+      {"kw", "kilowatt"});
   return one ? std::optional(factor * *one) : std::nullopt;
 }
 

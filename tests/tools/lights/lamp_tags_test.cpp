@@ -182,8 +182,10 @@ TEST(LampTags, KeysAndWordsOfSeveralCountries) {
     EXPECT_FLOAT_EQ(*read_lamp_tags({{key, "30 ft"}}).height_m, 9.144F) << key;
   for (const char* key : {"light:wattage", "lamp:wattage", "lamp_wattage"})
     EXPECT_FLOAT_EQ(*read_lamp_tags({{key, "100 W"}}).power_w, 100) << key;
-  for (const osm::OsmTags& tags :
-       {osm::OsmTags{{"light:count", "2 lamps"}}, {{"lamps", "2"}}, {{"lamp:count", "2"}}})
+  for (const osm::OsmTags& tags : {osm::OsmTags{{"light:count", "2 lamps"}},
+                                   {{"lamps", "2"}},
+                                   {{"lamp:count", "2"}},
+                                   {{"light:count", "double"}}})
     EXPECT_EQ(read_lamp_tags(tags).count, 2);
   const std::pair<const char*, LampType> types[] = {
       {"vapor de sódio", LampType::high_pressure_sodium},
@@ -191,6 +193,9 @@ TEST(LampTags, KeysAndWordsOfSeveralCountries) {
       {"natriumlamp", LampType::high_pressure_sodium},
       {"高圧ナトリウムランプ", LampType::high_pressure_sodium},
       {"HPS 150W", LampType::high_pressure_sodium},
+      {"Sodium Vapour Lamp", LampType::high_pressure_sodium},
+      {"lampa sodowa", LampType::high_pressure_sodium},
+      {"lâmpada de sódio", LampType::high_pressure_sodium},
       {"LED 4000K", LampType::led},
       {"水銀灯", LampType::mercury},
       {"rtęciowa", LampType::mercury},
@@ -198,7 +203,8 @@ TEST(LampTags, KeysAndWordsOfSeveralCountries) {
       {"蛍光灯", LampType::fluorescent}};
   for (const auto& [word, type] : types) EXPECT_EQ(parse_lamp_type(word), type) << word;
   EXPECT_FALSE(parse_lamp_type("Lampe 7"));
-  for (const char* no : {"não", "nie", "nee", "nein", "unlit"})
+  EXPECT_EQ(read_lit_tag("yes (LED)", Half::north).kind, LitTag::Kind::lit);
+  for (const char* no : {"não", "nie", "nee", "nein", "unlit", "no (broken)"})
     EXPECT_EQ(read_lit_tag(no, Half::north).kind, LitTag::Kind::dark) << no;
 }
 

@@ -80,11 +80,11 @@ TEST(MapBuildings, LevelsAndHeightsAreReadAsPeopleWriteThem) {
 
 TEST(MapBuildings, LevelsAreReadAsSeveralCountriesWriteThem) {
   const std::pair<const char*, int> cases[] = {
-      {"3F", 3},          {"5階建て", 5},    {"地上5階", 5},      {"地上3階地下1階", 3},
-      {"2 andares", 2},   {"térreo", 1},     {"2 pavimentos", 2}, {"G+4", 5},
-      {"G + 3", 4},       {"S+4", 5},        {"Stilt+4", 5},      {"g+1", 2},
-      {"parter", 1},      {"parter + 2", 3}, {"P + 2", 3},        {"5 kondygnacji", 5},
-      {"3 bouwlagen", 3}, {"2-story", 2}};
+      {"3F", 3},        {"5階建て", 5},       {"地上5階", 5},      {"地上3階地下1階", 3},
+      {"2 andares", 2}, {"térreo", 1},        {"2 pavimentos", 2}, {"G+4", 5},
+      {"G + 3", 4},     {"S+4", 5},           {"B+G+4", 5},        {"2B+G+4", 5},
+      {"Stilt+4", 5},   {"g+1", 2},           {"parter", 1},       {"parter + 2", 3},
+      {"P + 2", 3},     {"5 kondygnacji", 5}, {"3 bouwlagen", 3},  {"2-story", 2}};
   for (const auto& [levels, expected] : cases) {
     city::SkipCounter notes;
     EXPECT_EQ(find_sizes({{"building", "yes"}, {"building:levels", levels}}, notes).storeys,
