@@ -111,9 +111,9 @@ std::vector<LampRelations::Group> LampRelations::find_groups(const Relation& rel
 std::optional<glm::dvec2> LampRelations::find_middle(const Group& group, std::uint32_t file,
                                                      const FindPlace& find_place) {
   std::vector<glm::dvec2> places;
+  std::set<std::pair<double, double>> seen;
   const auto add = [&](const glm::dvec2& place) {
-    if (std::isfinite(place.x) && std::isfinite(place.y) &&
-        std::find(places.begin(), places.end(), place) == places.end())
+    if (std::isfinite(place.x) && std::isfinite(place.y) && seen.emplace(place.x, place.y).second)
       places.push_back(place);
   };
   for (const auto& [member, known] : group) {
@@ -131,7 +131,7 @@ std::vector<OsmLampNode> LampRelations::place(
     const std::function<void(const OsmMember&, const Key&, const OsmTags&)>& complete,
     std::size_t& without_place) const {
   std::vector<OsmLampNode> lamps;
-  std::set<MemberKey> lit;  // members that have a lamp already
+  std::map<MemberKey, bool> tried;  // by the first members: whether they have a place
   for (const Relation& relation : relations_) {
     const OsmTags of_relation = drop_type(relation.content.tags);
     const std::uint32_t file = relation.key.second;
@@ -145,10 +145,15 @@ std::vector<OsmLampNode> LampRelations::place(
         is_there = true;
         continue;
       }
+      const auto [known_place, is_new] =
+          tried.try_emplace({first->type, key_of(first->id, file)}, false);
+      if (!is_new) {
+        is_there = is_there || known_place->second;
+        continue;
+      }
       const auto middle = find_middle(group, file, find_place);
       if (!middle) continue;
-      is_there = true;
-      if (!lit.insert({first->type, key_of(first->id, file)}).second) continue;
+      is_there = known_place->second = true;
       OsmLampNode lamp{first->id, *middle,
                        is_multipolygon(relation.content.tags) ? OsmTags() : known->tags,
                        first->type == OsmMember::Type::way};

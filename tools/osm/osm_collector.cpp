@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -135,16 +136,16 @@ void OsmCollector::add_lamps_of_relations() {
     if (!place || place->lon == deleted_lon) return std::nullopt;
     return glm::dvec2(place->lon * resolution_degrees, place->lat * resolution_degrees);
   };
+  std::map<Key, OsmTags*> of_nodes, of_ways;
+  for (PendingLamp& lamp : lamps_) of_nodes[lamp.key] = &lamp.lamp.tags;
+  for (PendingWay& way : pending_)
+    if (is_lamp(way.way.tags)) of_ways[way.key] = &way.way.tags;
   const auto complete = [&](const OsmMember& member, const LampRelations::Key& id,
                             const OsmTags& tags) {
     file_ = id.second;
-    const Key key = key_of(id.first);
-    if (member.type == OsmMember::Type::node)
-      for (PendingLamp& lamp : lamps_)
-        if (lamp.key == key) lamp.lamp.tags.insert(tags.begin(), tags.end());
-    if (member.type == OsmMember::Type::way)
-      for (PendingWay& way : pending_)
-        if (way.key == key) way.way.tags.insert(tags.begin(), tags.end());
+    const auto& known = member.type == OsmMember::Type::node ? of_nodes : of_ways;
+    if (const auto found = known.find(key_of(id.first)); found != known.end())
+      found->second->insert(tags.begin(), tags.end());
   };
   for (OsmLampNode& lamp : relations_.place(find_place, complete, data_.lamp_relations))
     data_.lamps.push_back(std::move(lamp));
