@@ -45,6 +45,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.recipe = recipe.path;
   inputs.files = leave_out_lower_levels(sort_files(recipe.city.files), recipe.city.read.max_lod);
   inputs.maps = sort_files(recipe.osm.files);
+  inputs.joined_maps = osm::join_split_maps(inputs.maps);
   inputs.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read = recipe.city.read;
   inputs.read.max_way_nodes = recipe.osm.max_way_nodes;

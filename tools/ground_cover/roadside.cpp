@@ -14,7 +14,10 @@ std::string value_at_side(const osm::OsmTags& tags, const std::string& key, cons
     if (std::string value = osm::find_tag(tags, name); !value.empty()) return value;
   const std::string value = osm::find_tag(tags, key);
   if (value == "left" || value == "right") return value == side ? "yes" : "no";
-  return value == "both" || value == "left;right" || value == "right;left" ? "yes" : value;
+  return value == "both" || value == "ambos" || value == "ambas" || value == "left;right" ||
+                 value == "right;left"
+             ? "yes"
+             : value;
 }
 
 // Returns KEY:right SUFFIX, KEY:both SUFFIX or KEY SUFFIX, as written.

@@ -201,7 +201,8 @@ TableLook look_at_table(const std::filesystem::path& file) {
     if (!chosen || rate > best) chosen = layer;
     best = std::max(best, rate);
   }
-  look.speaks_of_lamps = best > 0 || is_name_of_lamps(file.stem().string());
+  look.speaks_of_lamps =
+      best > 0 || is_name_of_lamps(file.stem().string()) || is_name_of_lamps(table.stem);
   if (!chosen) return look;
   look.layer = city::to_valid_utf8(chosen->GetName());
   look.rows = chosen->GetFeatureCount(TRUE);

@@ -7,8 +7,10 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/packing.h"
+#include "tools/cityjson/read_cityjson.h"
 #include "tools/inventory/inventory.h"
 #include "tools/inventory/memory_folder.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity::inventory {
 namespace {
@@ -22,6 +24,14 @@ constexpr std::string_view unpack = "unpack it and name the file inside";
 
 bool is_table(const city::Document& document) {
   return city::ends_with_any(to_lower(document.name), table_endings);
+}
+
+// Returns whether it is a city model or a map in JSON, which other keys of a recipe read.
+bool is_other(const city::Document& document) {
+  constexpr std::size_t start_bytes = 64 << 10;
+  if (!to_lower(document.name).ends_with("json")) return false;
+  const std::string start = city::read_start(document, start_bytes);
+  return cityjson::begins_as_cityjson(start) || osm::begins_as_osm(start);
 }
 
 // Returns a name without what stands behind its last point, in lower case.
@@ -97,6 +107,9 @@ std::vector<MemoryFile> unpack_table(const std::filesystem::path& file) {
   if (tables.empty())
     throw NoTable(path, "the archive holds no table of lamps, but " + documents.front().name +
                             ": " + std::string(unpack));
+  if (tables.size() > 1) std::erase_if(tables, [](const auto* table) { return is_other(*table); });
+  if (tables.empty())
+    throw NoTable(path, "the archive holds no table of lamps, but city models or maps in JSON");
   if (tables.size() > 1)
     throw Error(path, "the archive holds several tables (" + list_names(tables, path) +
                           "): unpack it and name one of them, or a row of [[lamps.inventories]] "

@@ -105,6 +105,7 @@ void put_into_memory(const InventoryFile& inventory, VectorFile& out) {
   const std::filesystem::path& file = inventory.file;
   // The whole path, which no prefix of GDAL's own file systems can be.
   out.path = std::filesystem::absolute(file).string();
+  out.stem = file.stem().string();
   std::string start = read_start(out.path);
   if (start.empty()) return;
   std::vector<MemoryFile> files = unpack_table(file);
@@ -136,6 +137,7 @@ void put_into_memory(const InventoryFile& inventory, VectorFile& out) {
           {file.stem().string() + ".prj",
            read_start(std::filesystem::absolute(prj).string()).substr(0, most_prj_bytes)});
   }
+  out.stem = std::filesystem::path(files.front().name).stem().string();
   if (is_named_as_csv(files.front().name)) prepare_csv(inventory, files.front().bytes, out);
   for (std::size_t i = files.size(); i-- > 0;) {
     out.path = out.memory.add(files[i].name, files[i].bytes);

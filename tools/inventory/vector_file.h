@@ -18,6 +18,7 @@ struct VectorFile {
   MemoryFolder memory;  // with the dataset's files where they are none of the disk
   GDALDatasetUniquePtr dataset;
   std::string path;        // as GDAL takes it
+  std::string stem;        // of the table's name, which in an archive is another than the file's
   std::string format;      // for reports: "GeoJSON"
   std::string crs;         // that its form says and GDAL does not know; "": none
   std::string encoding;    // that no mark names and its headings tell; "": UTF-8 or Windows-1252

@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <glm/common.hpp>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "tools/in_ring.h"
 #include "tools/osm/tag_values.h"
+#include "tools/ring_area.h"
 
 namespace nightcity::lights {
 namespace {
@@ -84,7 +91,8 @@ struct Word {
   std::string_view part;
   BuildingUse use;
 };
-constexpr std::array<Word, 34> words = {{
+constexpr std::array<Word, 35> words = {{
+    {"man_made", dark},  // chimneys and tanks of the map (map_buildings::name_tall_function)
     {"wohn_und_gesch", mixed},
     {"mixed", mixed},
     {"garage", dark},
@@ -121,6 +129,66 @@ constexpr std::array<Word, 34> words = {{
     {"factory", industrial},
 }};
 
+// The outlines of a roof in plan, the exterior first.
+using PlanRings = std::vector<std::vector<glm::dvec2>>;
+
+PlanRings to_plan(const city::Polygon& polygon) {
+  PlanRings rings;
+  const auto add = [&](const city::Ring& ring) {
+    rings.emplace_back();
+    for (const glm::dvec3& p : ring) rings.back().emplace_back(p);
+  };
+  add(polygon.exterior);
+  for (const city::Ring& hole : polygon.interiors) add(hole);
+  return rings;
+}
+
+bool is_within(const PlanRings& rings, const glm::dvec2& place) {
+  return std::count_if(rings.begin(), rings.end(),
+                       [&](const std::vector<glm::dvec2>& ring) { return in_ring(ring, place); }) %
+             2 ==
+         1;
+}
+
+// Returns the middle of the longest stretch within the rings of the line through them from west to
+// east at half of their height; none where they enclose nothing there.
+std::optional<glm::dvec2> find_place_within(const PlanRings& rings) {
+  const auto [south, north] =
+      std::minmax_element(rings.front().begin(), rings.front().end(),
+                          [](const glm::dvec2& a, const glm::dvec2& b) { return a.y < b.y; });
+  const double y = (south->y + north->y) / 2;
+  std::vector<double> crossings;
+  for (const std::vector<glm::dvec2>& ring : rings)
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const glm::dvec2 &a = ring[k], &b = ring[(k + 1) % ring.size()];
+      if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  std::sort(crossings.begin(), crossings.end());
+  std::optional<glm::dvec2> place;
+  double longest = 0;
+  for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+    if (const double length = crossings[k + 1] - crossings[k]; length > longest) {
+      longest = length;
+      place = {(crossings[k] + crossings[k + 1]) / 2, y};
+    }
+  return place;
+}
+
+// Returns `middle`, that of the building's box, where it lies below a roof of the building, else a
+// place below the largest roof: the middle of a house round a courtyard may be another's.
+glm::dvec2 find_place_of(const city::CityObject& building, const glm::dvec2& middle) {
+  const city::Polygon* largest = nullptr;
+  double greatest_m2 = 0;
+  for (const city::Polygon& polygon : building.polygons) {
+    if (polygon.surface != city::SurfaceType::roof || polygon.exterior.empty()) continue;
+    const PlanRings rings = to_plan(polygon);
+    if (is_within(rings, middle)) return middle;
+    const double area_m2 = std::abs(signed_area(rings.front()));
+    if (area_m2 > greatest_m2) greatest_m2 = area_m2, largest = &polygon;
+  }
+  return largest ? find_place_within(to_plan(*largest)).value_or(middle) : middle;
+}
+
 }  // namespace
 
 const char* name_of(BuildingUse use) {
@@ -150,7 +218,8 @@ KnownUse use_from_code(std::string_view code) {
 
 KnownUse use_of(const city::CityObject& building, const UseAt& map) {
   for (const std::string* code : {&building.function, &building.usage, &building.building_class})
-    if (const KnownUse use = use_from_code(*code); use.stated) return use;
+    if (const KnownUse use = use_from_code(*code); use.stated)
+      return {use.use, !building.of_map, building.of_map};
   glm::dvec2 west_south(std::numeric_limits<double>::infinity()), east_north(-west_south);
   double area = 0, low = std::numeric_limits<double>::infinity(), high = -low;
   for (const city::Polygon& polygon : building.polygons) {
@@ -168,7 +237,8 @@ KnownUse use_of(const city::CityObject& building, const UseAt& map) {
     if (polygon.surface == city::SurfaceType::roof) area += std::abs(twice) / 2;
   }
   if (map && west_south.x <= east_north.x)
-    if (const auto use = map((west_south + east_north) * 0.5)) return {*use, false, true};
+    if (const auto use = map(find_place_of(building, (west_south + east_north) * 0.5)))
+      return {*use, false, true};
   const bool hut = high - low < 3 || (area > 0 && area < 25);
   return {hut ? dark : residential, false, false};
 }

@@ -39,8 +39,9 @@ const char* name_of(BuildingUse use);
 KnownUse use_from_code(std::string_view code);
 
 /// Returns the use of a building from its function, usage and class, in that order, then from the
-/// map at the middle of its footprint (if `map` is given; coordinates E, N). Unknown buildings are
-/// dwellings, and unknown huts (under 3 m or 25 m2) are dark.
+/// map at the middle of its box or, where that is not below its roof, at a place below it (if `map`
+/// is given; coordinates E, N). Unknown buildings are dwellings, and unknown huts (under 3 m or
+/// 25 m2) are dark.
 KnownUse use_of(const city::CityObject& building, const UseAt& map = {});
 
 }  // namespace nightcity::lights

@@ -72,7 +72,7 @@ constexpr Words<LampMount, 49> mounts = {{
 }};
 
 using enum LampType;
-constexpr Words<LampType, 71> types = {{
+constexpr Words<LampType, 102> types = {{
     {"led", led},
     {"leds", led},
     {"light_emitting_diode", led},
@@ -143,6 +143,37 @@ constexpr Words<LampType, 71> types = {{
     {"cpo", metal_halide},
     {"led_retrofit", led},
     {"natriumdampf", high_pressure_sodium},
+    {"natrium", high_pressure_sodium},
+    {"natriumlamp", high_pressure_sodium},
+    {"natriumlampe", high_pressure_sodium},
+    {"hogedruknatrium", high_pressure_sodium},
+    {"vapor_de_sódio", high_pressure_sodium},
+    {"vapor_de_sodio", high_pressure_sodium},
+    {"vapor_de_sódio_de_alta_pressão", high_pressure_sodium},
+    {"sódio", high_pressure_sodium},
+    {"sodio", high_pressure_sodium},
+    {"sodowa", high_pressure_sodium},
+    {"sodowe", high_pressure_sodium},
+    {"ナトリウム灯", high_pressure_sodium},
+    {"高圧ナトリウムランプ", high_pressure_sodium},
+    {"vapor_de_mercúrio", mercury},
+    {"vapor_de_mercurio", mercury},
+    {"mercúrio", mercury},
+    {"mercurio", mercury},
+    {"rtęciowa", mercury},
+    {"rtęciowe", mercury},
+    {"kwik", mercury},
+    {"水銀灯", mercury},
+    {"水銀ランプ", mercury},
+    {"vapor_metálico", metal_halide},
+    {"vapor_metalico", metal_halide},
+    {"metalohalogenkowa", metal_halide},
+    {"メタルハライドランプ", metal_halide},
+    {"fluorescente", fluorescent},
+    {"świetlówka", fluorescent},
+    {"tl", fluorescent},
+    {"蛍光灯", fluorescent},
+    {"led灯", led},
     {"quecksilberdampf", mercury},
     {"leuchtstoff", fluorescent},
 }};
@@ -166,8 +197,15 @@ std::optional<LampMount> find_lamp_mount(string_view word) {
   return look_up(word, mounts);
 }
 
+// "sodium lamp", "lampa sodowa": the word for a lamp says nothing.
 std::optional<LampType> find_lamp_type(string_view word) {
-  return look_up(word, types);
+  if (const auto type = look_up(word, types)) return type;
+  for (const string_view lamp : {"_lamp", "_lamps", "_lampe", "_light", "_bulb"})
+    if (word.ends_with(lamp)) return look_up(word.substr(0, word.size() - lamp.size()), types);
+  for (const string_view lamp :
+       {"lampa_", "lampada_de_", "lâmpada_de_", "lámpara_de_", "lampara_de_"})
+    if (word.starts_with(lamp)) return look_up(word.substr(lamp.size()), types);
+  return std::nullopt;
 }
 
 std::optional<double> find_cct_k(string_view word) {

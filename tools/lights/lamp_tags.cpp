@@ -45,6 +45,16 @@ auto number_in(std::initializer_list<string_view> units) {
   };
 }
 
+std::optional<double> parse_lamp_count(string_view text) {
+  constexpr std::pair<string_view, double> words[] = {{"one", 1},    {"single", 1}, {"two", 2},
+                                                      {"double", 2}, {"twin", 2},   {"three", 3},
+                                                      {"triple", 3}, {"four", 4}};
+  const std::string word = osm::normalise_tag(text);
+  for (const auto& [name, count] : words)
+    if (word == name) return count;
+  return number_in({"lamps", "lights", "luminaires"})(text);
+}
+
 class LampTagReader {
  public:
   LampTagReader(const osm::OsmTags& tags, Half half) : tags_(tags), half_(half) {}
@@ -104,7 +114,9 @@ class LampTagReader {
                  says("light_source", {"floodlight", "flood_light"}) ||
                  says("man_made", {"floodlight", "light_mast", "lighting_mast"});
     lamp_.height_m =
-        first_of({"light:height", "height", "est_height"}, between(0.3, 60, osm::parse_length_m));
+        first_of({"light:height", "lamp:height", "lamp_height", "light:mounting_height",
+                  "mounting_height", "height", "pole:height", "est_height"},
+                 between(0.3, 60, osm::parse_length_m));
     lamp_.ele_m = first_of({"ele"}, between(-500, 9000, osm::parse_length_m));
     lamp_.mount = first_of({"light:mount", "lamp_mount", "lamp:mount", "support"}, parse_mount);
     // Berlin's mapping numbers the arms of a mount here: a count, not a mount that is not
@@ -131,7 +143,8 @@ class LampTagReader {
         {"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
         between(10, 200000, osm::parse_lumens));
     lamp_.power_w =
-        first_of({"light:power", "lamp_power", "lamp:power", "wattage", "power:rating"},
+        first_of({"light:power", "lamp_power", "lamp:power", "wattage", "light:wattage",
+                  "lamp:wattage", "lamp_wattage", "power:rating"},
                  between(1, 2000, [this](string_view text) { return read_watts(text); }));
     lamp_.type =
         first_of({"light:method", "lamp_type", "light:type", "light_type"}, parse_lamp_type);
@@ -188,8 +201,8 @@ class LampTagReader {
     lamp_.tilt_degrees = first_of({"light:tilt"}, between(-90, 90, number_in({"\xc2\xb0", "deg"})));
     if (lamp_.tilt_degrees)
       *lamp_.tilt_degrees += 90;  // OSM counts from the horizontal: -90 is straight down
-    const auto count = first_of({"light:count", "lamp_count"},
-                                between(1, static_cast<double>(max_count), number_in({})));
+    const auto count = first_of({"light:count", "lamp_count", "lamp:count", "lamps"},
+                                between(1, static_cast<double>(max_count), parse_lamp_count));
     lamp_.count = static_cast<int>(
         std::max<std::size_t>({1, count ? static_cast<std::size_t>(std::lround(*count)) : 1,
                                lamp_.directions_degrees.size()}));
@@ -240,8 +253,14 @@ std::optional<double> parse_cct_k(string_view text) {
 }
 
 std::optional<LampType> parse_lamp_type(string_view text) {
-  for (const string_view part : osm::split_list(text))
+  for (const string_view part : osm::split_list(text)) {
     if (const auto type = find_lamp_type(osm::normalise_tag(part))) return type;
+    // "HPS 150W", "LED 4000K"
+    const std::size_t blank = part.find(' ');
+    if (blank + 1 < part.size() && blank != part.npos && part[blank + 1] >= '0' &&
+        part[blank + 1] <= '9')
+      if (const auto type = find_lamp_type(osm::normalise_tag(part.substr(0, blank)))) return type;
+  }
   return std::nullopt;
 }
 

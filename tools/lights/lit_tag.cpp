@@ -11,8 +11,10 @@
 namespace nightcity::lights {
 namespace {
 
-constexpr std::array<std::string_view, 7> dark_words = {"no",   "disused", "broken", "never",
-                                                        "none", "false",   "off"};
+// Some write "no" in their own language, where "yes" is what would be taken without a word.
+constexpr std::array<std::string_view, 19> dark_words = {
+    "0",   "not_lit", "no",  "disused", "broken", "never", "none", "false", "off", "unlit",
+    "não", "nao",     "nie", "nee",     "nein",   "non",   "нет",  "hayır", "nej"};
 constexpr std::array<std::string_view, 6> whole_night = {"yes",       "automatic", "sunset_sunrise",
                                                          "dusk_dawn", "always",    "all_night"};
 constexpr std::array<std::string_view, 4> part_of_night = {"limited", "interval", "half_night",
@@ -21,7 +23,10 @@ constexpr std::array<std::string_view, 4> part_of_night = {"limited", "interval"
 }  // namespace
 
 LitTag read_lit_tag(std::string_view text, Half half) {
-  const std::string word = osm::normalise_tag(text);
+  std::string word = osm::normalise_tag(text);
+  // "no (broken)": a remark says why.
+  if (const std::size_t remark = word.find("_("); remark != word.npos && word.ends_with(')'))
+    word.resize(remark);
   if (word.empty() || word == "unknown") return {};
   if (is_one_of(word, dark_words)) return {LitTag::Kind::dark, {}};
   if (is_one_of(word, whole_night)) return {LitTag::Kind::lit, {}};

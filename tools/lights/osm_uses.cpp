@@ -10,6 +10,7 @@
 
 #include "tools/in_ring.h"
 #include "tools/osm/tag_values.h"
+#include "tools/ring_area.h"
 
 namespace nightcity::lights {
 namespace {
@@ -195,31 +196,46 @@ std::optional<BuildingUse> use_from_tags(const osm::OsmTags& tags) {
 }
 
 OsmUses::OsmUses(const std::vector<osm::OsmWay>& ways,
+                 const std::vector<osm::MapArea>& multipolygons,
                  const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
+  const auto place = [&](const std::vector<glm::dvec2>& lon_lat, std::size_t count) {
+    std::vector<glm::dvec2> ring;
+    for (std::size_t n = 0; n < count; ++n) ring.push_back(to_frame(lon_lat[n]));
+    return ring;
+  };
   for (const osm::OsmWay& way : ways) {
     const auto use = use_from_tags(way.tags);
     if (!use || way.lon_lat.size() < 4 || way.lon_lat.front() != way.lon_lat.back()) continue;
-    Outline outline{{}, 0, *use};
-    for (std::size_t n = 0; n + 1 < way.lon_lat.size(); ++n)
-      outline.ring.push_back(to_frame(way.lon_lat[n]));
-    glm::dvec2 low = outline.ring.front(), high = low;
-    double twice = 0;
-    for (std::size_t n = 0; n < outline.ring.size(); ++n) {
-      const glm::dvec2 a = outline.ring[n] - outline.ring.front(),
-                       b = outline.ring[(n + 1) % outline.ring.size()] - outline.ring.front();
-      twice += a.x * b.y - a.y * b.x;
-      low = glm::min(low, outline.ring[n]);
-      high = glm::max(high, outline.ring[n]);
-    }
-    outline.area_m2 = std::abs(twice) / 2;
-    // Coordinates that are not finite fail this comparison too.
-    if (!(outline.area_m2 > 0 && high.x - low.x < widest_m && high.y - low.y < widest_m)) continue;
-    const auto number = static_cast<std::uint32_t>(outlines_.size());
-    for (std::int64_t x = find_use_cell(low.x); x <= find_use_cell(high.x); ++x)
-      for (std::int64_t y = find_use_cell(low.y); y <= find_use_cell(high.y); ++y)
-        cells_[key(x, y)].push_back(number);
-    outlines_.push_back(std::move(outline));
+    add({place(way.lon_lat, way.lon_lat.size() - 1), {}, 0, *use});
   }
+  for (const osm::MapArea& area : multipolygons) {
+    const auto use = use_from_tags(area.tags);
+    if (!use) continue;
+    for (const osm::MapRings& rings : area.rings) {
+      Outline outline{place(rings.outer, rings.outer.size()), {}, 0, *use};
+      for (const std::vector<glm::dvec2>& hole : rings.holes)
+        outline.holes.push_back(place(hole, hole.size()));
+      add(std::move(outline));
+    }
+  }
+}
+
+void OsmUses::add(Outline outline) {
+  glm::dvec2 low = outline.ring.front(), high = low;
+  for (const glm::dvec2& p : outline.ring) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  outline.area_m2 = std::abs(signed_area(outline.ring));
+  for (const std::vector<glm::dvec2>& hole : outline.holes)
+    outline.area_m2 -= std::abs(signed_area(hole));
+  // Coordinates that are not finite fail this comparison too.
+  if (!(outline.area_m2 > 0 && high.x - low.x < widest_m && high.y - low.y < widest_m)) return;
+  const auto number = static_cast<std::uint32_t>(outlines_.size());
+  for (std::int64_t x = find_use_cell(low.x); x <= find_use_cell(high.x); ++x)
+    for (std::int64_t y = find_use_cell(low.y); y <= find_use_cell(high.y); ++y)
+      cells_[key(x, y)].push_back(number);
+  outlines_.push_back(std::move(outline));
 }
 
 std::optional<BuildingUse> OsmUses::at(const glm::dvec2& place) const {
@@ -229,7 +245,9 @@ std::optional<BuildingUse> OsmUses::at(const glm::dvec2& place) const {
   for (const std::uint32_t number : cell->second) {
     const Outline& outline = outlines_[number];
     const auto key = [](const Outline& one) { return std::pair(one.area_m2, one.use); };
-    if ((!smallest || key(outline) < key(*smallest)) && in_ring(outline.ring, place))
+    const auto holds = [&](const std::vector<glm::dvec2>& ring) { return in_ring(ring, place); };
+    if ((!smallest || key(outline) < key(*smallest)) && holds(outline.ring) &&
+        std::none_of(outline.holes.begin(), outline.holes.end(), holds))
       smallest = &outline;
   }
   return smallest ? std::optional(smallest->use) : std::nullopt;

@@ -1,16 +1,13 @@
 #include "tools/map_buildings/file_buildings.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <string>
-#include <string_view>
 #include <unordered_set>
 #include <utility>
 
 #include "tools/map_buildings/building_tags.h"
-#include "tools/osm/osm_selection.h"
-#include "tools/osm/tag_values.h"
+#include "tools/map_buildings/tall_things.h"
 
 namespace nightcity::map_buildings {
 namespace {
@@ -18,26 +15,13 @@ namespace {
 using osm::MapArea;
 using osm::MapAreas;
 
-bool says_building(const osm::OsmTags& tags) {
-  return tags.contains("building") || tags.contains("building:part");
-}
-
-// Returns what a thing is that stands as high as buildings, without being one: "chimney", say.
-std::string find_tall_kind(const osm::OsmTags& tags) {
-  constexpr std::array<std::string_view, 12> kinds{
-      "chimney", "silo", "storage_tank", "gasometer",  "water_tower",          "cooling_tower",
-      "tower",   "mast", "windmill",     "lighthouse", "communications_tower", "bunker_silo"};
-  const std::string kind = osm::find_tag(tags, "man_made");
-  if (kind.empty() || says_building(tags) || osm::is_lamp(tags)) return {};
-  return std::find(kinds.begin(), kinds.end(), kind) == kinds.end() ? std::string() : kind;
-}
-
 MapAreas read_areas(const std::filesystem::path& file, int max_way_nodes) {
   const auto wants = [](const osm::OsmTags& tags) {
     return says_building(tags) || !find_tall_kind(tags).empty();
   };
-  return osm::read_map_areas(file, {{"building", "building:part", "man_made"}, wants},
-                             static_cast<std::size_t>(max_way_nodes));
+  osm::AreaSelection selection{{"building", "building:part", "man_made"}, wants};
+  selection.keeps_points = true;
+  return osm::read_map_areas(file, selection, static_cast<std::size_t>(max_way_nodes));
 }
 
 // "building=no" beside "building:part" says that it is the part alone.
@@ -48,10 +32,16 @@ bool is_building(const MapArea& area) {
 void add_own(MapAreas&& areas, FileBuildings& to) {
   for (MapArea& area : areas.areas)
     if (!says_building(area.tags))
-      ++to.tall_things[find_tall_kind(area.tags)];
+      to.tall_things.push_back(std::move(area));
     else
       (is_building(area) ? to.buildings : to.parts).push_back(std::move(area));
+  for (osm::MapPoint& point : areas.kept_points)
+    if (auto round = make_round_outline(point))
+      to.tall_things.push_back(std::move(*round));
+    else
+      ++to.left_out["building, tower or tank mapped as a point, without an outline or its sizes"];
   areas.areas.clear();
+  areas.kept_points.clear();
   to.counts = std::move(areas);
   to.own = to.buildings.size();
   to.is_own_part.assign(to.parts.size(), true);
@@ -77,7 +67,8 @@ void sort_parts(FileBuildings& of) {
 void add_others(const CityMaps::Areas& others, FileBuildings& to) {
   std::unordered_set<std::string> replaced, known;
   for (const auto& other : others) replaced.insert(other->replaced.begin(), other->replaced.end());
-  std::erase_if(to.buildings, [&](const MapArea& area) { return replaced.contains(area.id); });
+  for (std::vector<MapArea>* areas : {&to.buildings, &to.tall_things})
+    std::erase_if(*areas, [&](const MapArea& area) { return replaced.contains(area.id); });
   to.own = to.buildings.size();
   for (const MapArea& area : to.buildings) known.insert(area.id);
   for (const MapArea& area : to.parts) known.insert(area.id);
@@ -96,13 +87,23 @@ void add_others(const CityMaps::Areas& others, FileBuildings& to) {
 CityMaps::Areas CityMaps::read(int max_way_nodes) {
   const std::lock_guard lock(mutex_);
   if (max_way_nodes_ != max_way_nodes) {
-    Areas areas;
+    std::vector<std::shared_ptr<MapAreas>> areas;
     for (const std::filesystem::path& file : files_)
-      areas.push_back(std::make_shared<const MapAreas>(read_areas(file, max_way_nodes)));
+      areas.push_back(std::make_shared<MapAreas>(read_areas(file, max_way_nodes)));
     areas_ = std::move(areas);
     max_way_nodes_ = max_way_nodes;
   }
-  return areas_;
+  return {areas_.begin(), areas_.end()};
+}
+
+MapAreas CityMaps::take_only(int max_way_nodes) {
+  const std::lock_guard lock(mutex_);
+  const bool is_kept = max_way_nodes_ == max_way_nodes;
+  max_way_nodes_.reset();
+  const auto kept = std::move(areas_);
+  if (!is_kept) return read_areas(files_.front(), max_way_nodes);
+  // Others may still look at them.
+  return kept.front().use_count() > 1 ? *kept.front() : std::move(*kept.front());
 }
 
 FileBuildings read_file_buildings(const std::filesystem::path& file,
@@ -112,7 +113,11 @@ FileBuildings read_file_buildings(const std::filesystem::path& file,
   const auto& maps = options.maps ? options.maps->files() : alone;
   const auto at = std::find(maps.begin(), maps.end(), file);
   if (maps.size() < 2 || at == maps.end()) {
-    add_own(read_areas(file, options.max_way_nodes), result);
+    const bool is_of_city = options.maps && at != maps.end();
+    add_own(is_of_city ? options.maps->take_only(options.max_way_nodes)
+                       : read_areas(file, options.max_way_nodes),
+            result);
+    leave_out_tall_things(result);
     return result;
   }
   CityMaps::Areas others = options.maps->read(options.max_way_nodes);
@@ -120,6 +125,7 @@ FileBuildings read_file_buildings(const std::filesystem::path& file,
   add_own(MapAreas(**own), result);
   others.erase(own);
   add_others(others, result);
+  leave_out_tall_things(result);
   return result;
 }
 

@@ -28,12 +28,14 @@ class CityMaps {
   const std::vector<std::filesystem::path>& files() const { return files_; }
   /// May be called on several threads. Throws Error: a map is missing or broken.
   Areas read(int max_way_nodes);
+  /// Returns those of the only map, which are not kept any longer, as nothing else needs them.
+  osm::MapAreas take_only(int max_way_nodes);
 
  private:
   std::vector<std::filesystem::path> files_;
   std::mutex mutex_;
   std::optional<int> max_way_nodes_;  // that areas_ was read with
-  Areas areas_;
+  std::vector<std::shared_ptr<osm::MapAreas>> areas_;
 };
 
 struct FileBuildings {
@@ -44,8 +46,9 @@ struct FileBuildings {
   std::vector<osm::MapArea> parts;
   std::vector<bool> is_own_part;  // whether the file has it
   osm::MapAreas counts;           // of the file, without areas
-  /// Areas of the file that stand as high as buildings and are none, such as chimneys, by kind.
-  std::map<std::string, std::size_t> tall_things;
+  /// Chimneys, tanks and the like of the file, which are no buildings and stand as they do.
+  std::vector<osm::MapArea> tall_things;
+  std::map<std::string, std::size_t> left_out;  // of them and of points, by reason
 };
 
 /// Reads the buildings of `file`. Where it is one of several in `options.maps`, a map that was cut

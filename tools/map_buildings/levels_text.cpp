@@ -13,22 +13,50 @@ namespace {
 using std::string_view;
 
 bool is_word_for_levels(string_view text) {
-  constexpr std::array<string_view, 24> words{
-      "level",     "levels",  "floor",   "floors", "fl",     "fl.",    "f",     "storey",
-      "storeys",   "story",   "stories", "etages", "étages", "etagen", "stock", "stockwerke",
-      "geschosse", "plantas", "pisos",   "piani",  "этажа",  "этажей", "層",    "층"};
+  constexpr std::array<string_view, 35> words{
+      "level",      "levels",       "floor",     "floors",  "fl",          "fl.",         "f",
+      "storey",     "storeys",      "story",     "stories", "etages",      "étages",      "etagen",
+      "stock",      "stockwerke",   "geschosse", "plantas", "pisos",       "piani",       "этажа",
+      "этажей",     "層",           "층",        "階",      "階建",        "階建て",      "andares",
+      "pavimentos", "verdiepingen", "bouwlagen", "lagen",   "kondygnacje", "kondygnacji", "kat"};
   return std::find(words.begin(), words.end(), text) != words.end();
 }
 
-// Takes the word for a ground floor and a plus sign off the front of "G+4" and "EG+4".
+// Takes the word for a ground floor and a plus sign off the front of "G+4" and "parter + 2"; in
+// India cars stand on that of "S+4", between the stilts.
 bool take_ground_floor(string_view& text) {
-  for (const string_view word :
-       {"EG", "eg", "Eg", "RDC", "rdc", "GF", "PB", "G", "g", "R", "r", "P", "p"})
-    if (text.starts_with(word) && text.size() > word.size() + 1 && text[word.size()] == '+') {
-      text.remove_prefix(word.size() + 1);
-      return true;
-    }
-  return false;
+  const std::size_t plus = text.find('+');
+  if (plus == text.npos || plus + 1 == text.size()) return false;
+  constexpr std::array<string_view, 16> words{
+      "eg",    "rdc",    "gf",     "pb",     "g",  "r",  "p",      "s",
+      "stilt", "parter", "térreo", "terreo", "bg", "ug", "ground", "ground_floor"};
+  const std::string word = osm::normalise_tag(text.substr(0, plus));
+  if (std::find(words.begin(), words.end(), word) == words.end()) return false;
+  text.remove_prefix(plus + 1);
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  return true;
+}
+
+// Takes the basements off the front of "B+G+4" and "2B+G+4".
+void drop_basements(string_view& text) {
+  const std::size_t plus = text.find('+');
+  if (plus == text.npos) return;
+  const std::string word = osm::normalise_tag(text.substr(0, plus));
+  if (word == "b" || word == "1b" || word == "2b" || word == "3b") text.remove_prefix(plus + 1);
+}
+
+bool is_ground_floor_alone(string_view text) {
+  constexpr std::array<string_view, 9> words{"parter", "térreo", "terreo",       "eg",  "rdc",
+                                             "gf",     "pb",     "ground_floor", "平屋"};
+  const std::string word = osm::normalise_tag(text);
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Takes "above the ground" off the front of "地上3階地下1階", and what is below off its end.
+void keep_above_ground(string_view& text) {
+  constexpr string_view above = "地上", below = "地下";
+  if (text.starts_with(above)) text.remove_prefix(above.size());
+  if (const std::size_t at = text.find(below); at != text.npos && at > 0) text = text.substr(0, at);
 }
 
 // Takes a fraction of a level off the front of the rest of "1½" and "2 1/2".
@@ -47,6 +75,9 @@ double take_fraction(string_view& text) {
 
 std::optional<Levels> parse_one(string_view text) {
   while (text.starts_with('~') || text.starts_with(' ')) text.remove_prefix(1);
+  if (is_ground_floor_alone(text)) return Levels{1, true};
+  drop_basements(text);
+  keep_above_ground(text);
   const double below = take_ground_floor(text) ? 1 : 0;  // levels that the number does not count
   const double alone = take_fraction(text);
   auto count = alone > 0 ? std::optional(alone) : osm::take_number(text);

@@ -32,10 +32,10 @@ std::pair<int, int> find_cell(const glm::dvec2& p) {
           static_cast<int>(std::floor(p.y / cell_degrees))};
 }
 
-// Returns a place inside the part: the mean of its vertices or, where that lies outside, the middle
-// of two vertices that lies inside.
-glm::dvec2 find_place_inside(const osm::MapArea& part) {
-  const std::vector<glm::dvec2>& ring = part.rings.front().outer;
+}  // namespace
+
+glm::dvec2 find_place_inside(const osm::MapArea& area) {
+  const std::vector<glm::dvec2>& ring = area.rings.front().outer;
   glm::dvec2 mean{0};
   for (const glm::dvec2& p : ring) mean += (p - ring[0]) / static_cast<double>(ring.size());
   mean += ring[0];
@@ -46,8 +46,6 @@ glm::dvec2 find_place_inside(const osm::MapArea& part) {
   }
   return ring[0];
 }
-
-}  // namespace
 
 PartIndex::PartIndex(const std::vector<osm::MapArea>& buildings) : buildings_(buildings) {
   for (std::size_t i = 0; i < buildings.size(); ++i) {

@@ -24,4 +24,8 @@ class PartIndex {
   std::map<std::pair<int, int>, std::vector<std::size_t>> cells_;
 };
 
+/// Returns a place inside an area: the mean of the vertices of its first ring or, where that lies
+/// outside, the middle of two of them that lies inside.
+glm::dvec2 find_place_inside(const osm::MapArea& area);
+
 }  // namespace nightcity::map_buildings

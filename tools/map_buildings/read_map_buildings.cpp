@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,9 +17,11 @@
 #include "tools/map_buildings/building_tags.h"
 #include "tools/map_buildings/drawn_twice.h"
 #include "tools/map_buildings/file_buildings.h"
+#include "tools/map_buildings/local_plane.h"
 #include "tools/map_buildings/part_index.h"
 #include "tools/map_buildings/roofs.h"
 #include "tools/map_buildings/skin.h"
+#include "tools/map_buildings/tall_things.h"
 #include "tools/osm/days.h"
 #include "tools/osm/first_nodes.h"
 #include "tools/osm/map_areas.h"
@@ -36,30 +37,6 @@ using osm::MapArea;
 using osm::MapRings;
 
 constexpr std::size_t batch_size = 256;
-
-// A plane in metres round a place: distances on the ellipsoid of WGS 84 along its meridian and its
-// parallel (Snyder 1987, "Map Projections", 25), good to a millimetre over a building.
-class LocalPlane {
- public:
-  explicit LocalPlane(const glm::dvec2& origin) : origin_(origin) {
-    constexpr double semi_major_m = 6'378'137, eccentricity2 = 0.00669437999014;
-    constexpr double degree = std::numbers::pi / 180;
-    const double sine = std::sin(origin.y * degree);
-    const double w2 = 1 - eccentricity2 * sine * sine;
-    metres_a_degree_ = {
-        degree * semi_major_m * std::max(std::cos(origin.y * degree), 1e-6) / std::sqrt(w2),
-        degree * semi_major_m * (1 - eccentricity2) / (w2 * std::sqrt(w2))};
-  }
-  glm::dvec2 to_metres(const glm::dvec2& lon_lat) const {
-    return (lon_lat - origin_) * metres_a_degree_;
-  }
-  glm::dvec3 to_degrees(const glm::dvec3& p) const {
-    return {origin_ + glm::dvec2(p) / metres_a_degree_, p.z};
-  }
-
- private:
-  glm::dvec2 origin_, metres_a_degree_;
-};
 
 // Vertices on the line between their neighbours, within 2 cm, make no corner: mappers set them
 // where a neighbour joins. Four corners are then four.
@@ -120,6 +97,7 @@ class ObjectMaker {
     raw.object.type = city::ObjectType::building;
     raw.object.class_name = "Building";
     raw.object.of_map = true;
+    raw.object.function = name_tall_function(building.tags);
     raw.object.year = find_year(osm::find_raw_tag(building.tags, "start_date"));
     raw.object.address =
         city::to_text(city::Address{osm::find_raw_tag(building.tags, "addr:street"),
@@ -239,21 +217,19 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
     report.skipped["building of more nodes than [osm] max_way_nodes = " +
                    std::to_string(options.max_way_nodes)] = counts.too_long;
 
-  if (counts.points > 0)
-    report.skipped["building, tower or tank mapped as a point, without an outline"] = counts.points;
-  for (const auto& [kind, number] : map.tall_things)
-    report.skipped["man_made=" + kind + " without building=*, not drawn"] = number;
+  for (const auto& [reason, number] : map.left_out) report.skipped[reason] += number;
 
   const PartIndex index(map.buildings);
   const std::vector<std::size_t> standing = find_standing(map.buildings, today());
   std::vector<std::vector<const MapArea*>> parts(map.buildings.size());
-  std::vector<const MapArea*> alone;  // parts of no building
+  std::vector<const MapArea*> alone;  // parts of no building, chimneys, tanks and the like
   for (std::size_t n = 0; n < map.parts.size(); ++n) {
     if (const auto building = index.find_building(map.parts[n]))
       parts[standing[*building]].push_back(&map.parts[n]);
     else if (map.is_own_part[n])
       alone.push_back(&map.parts[n]);
   }
+  for (const MapArea& thing : map.tall_things) alone.push_back(&thing);
   const std::size_t count = map.own + alone.size();
   std::size_t next = 0;
   in_order(

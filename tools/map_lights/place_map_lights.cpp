@@ -89,7 +89,7 @@ class Placer {
       return out_.leave_out("obstruction light, which no kind of light here stands for");
     if (kind == MapLightKind::floodlit && is_flat(thing.tags))
       return out_.leave_out("plaque, mural or the like");
-    if (kind == MapLightKind::floodlit && is_open_tower(thing.tags))
+    if (kind == MapLightKind::floodlit && osm::is_open_tower(thing.tags))
       return out_.leave_out("mast or lattice tower, which has no walls");
     if (!is_lit(thing, kind)) return out_.leave_out("that no tag says is lit");
     if (kind == MapLightKind::pitch && is_roofed(thing.tags))

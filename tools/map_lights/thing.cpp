@@ -16,9 +16,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> flat_memorials = {"plaque", "stolperstein", "plate",
                                                             "bench"};
-// Lights shine through these: nothing of them would be seen.
-constexpr std::array<std::string_view, 5> open_towers = {"lattice", "guyed_lattice", "guyed_tube",
-                                                         "freestanding_lattice", "scaffolding"};
 constexpr std::array<std::string_view, 4> flat_artworks = {"mural", "graffiti", "mosaic",
                                                            "painting"};
 
@@ -47,11 +44,6 @@ std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind,
 bool is_flat(const osm::OsmTags& tags) {
   return names_one_of(tags, "memorial", flat_memorials) ||
          names_one_of(tags, "artwork_type", flat_artworks);
-}
-
-bool is_open_tower(const osm::OsmTags& tags) {
-  return osm::find_tag(tags, "man_made") == "mast" ||
-         names_one_of(tags, "tower:construction", open_towers);
 }
 
 bool is_pitch(const osm::OsmTags& tags) {

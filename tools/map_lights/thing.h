@@ -21,8 +21,6 @@ std::optional<MapLightKind> find_kind(const osm::OsmTags& tags);
 /// Returns whether the tags are of a plaque, a paving stone or a painting, which have tags of
 /// history and art, and no walls.
 bool is_flat(const osm::OsmTags& tags);
-/// Returns whether they are of a mast or a lattice tower, which has no walls to be lit.
-bool is_open_tower(const osm::OsmTags& tags);
 /// Returns whether they are of a pitch or a running track, and not of a ground that holds some.
 bool is_pitch(const osm::OsmTags& tags);
 /// Returns whether a place of sports is lit inside, below its roof. A stadium is open where people

@@ -79,7 +79,9 @@ class AreaCollector : public osmium::handler::Handler {
   }
 
   // Removes what newer versions have replaced or deleted.
-  MapAreas finish(const TooLongAreas& too_long) && {
+  MapAreas finish(const TooLongAreas& too_long, SelectedPoints&& points) && {
+    areas.points = points.count();
+    areas.kept_points = std::move(points).take();
     areas.too_long = too_long.ways.size() + too_long.relations;
     for (const auto& [id, version] : places_.deleted_ways) {
       const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
@@ -98,7 +100,7 @@ class AreaCollector : public osmium::handler::Handler {
     for (const auto id : places_.closed_ways) areas.broken += is_missing(id);
     for (const auto id : places_.open_ways) areas.open_ways += is_missing(id);
     std::erase_if(areas.areas, [](const MapArea& area) { return area.rings.empty(); });
-    if (is_east_ && is_west_) count_on(areas.areas);
+    if (is_east_ && is_west_) count_on(areas);
     return std::move(areas);
   }
 
@@ -115,12 +117,14 @@ class AreaCollector : public osmium::handler::Handler {
   }
 
   // Counts the longitudes in the west of a map across the antimeridian on beyond 180 degrees.
-  static void count_on(std::vector<MapArea>& areas) {
+  static void count_on(MapAreas& areas) {
     const auto turn = [](std::vector<glm::dvec2>& ring) {
       for (glm::dvec2& p : ring)
         if (p.x < 0) p.x += 360;
     };
-    for (MapArea& area : areas)
+    for (MapPoint& point : areas.kept_points)
+      if (point.lon_lat.x < 0) point.lon_lat.x += 360;
+    for (MapArea& area : areas.areas)
       for (MapRings& rings : area.rings) {
         turn(rings.outer);
         for (std::vector<glm::dvec2>& hole : rings.holes) turn(hole);

@@ -15,6 +15,7 @@
 #include <unordered_set>
 
 #include "tools/osm/area_tags.h"
+#include "tools/osm/selected_points.h"
 
 namespace nightcity::osm {
 
@@ -22,12 +23,15 @@ namespace nightcity::osm {
 /// far side of the globe is turned by 180 degrees, so that areas across the antimeridian are whole.
 class AreaPlaces : public osmium::handler::Handler {
  public:
-  explicit AreaPlaces(const AreaSelection& selection) : selection_(selection) {}
+  AreaPlaces(const AreaSelection& selection, SelectedPoints& points)
+      : selection_(selection), points_(points) {}
 
   void node(const osmium::Node& node) {
     if (sorted_) throw osmium::out_of_order_error("a node behind a way", node.id());
+    if (node.deleted()) points_.add(node.id(), node.version(), {}, {});
     if (!node.location().valid()) return;
-    if (!select_tags(node.tags(), selection_).empty()) points.insert(node.id());
+    points_.add(node.id(), node.version(), {node.location().lon(), node.location().lat()},
+                select_tags(node.tags(), selection_));
     balance_ += lies_beyond(node.location()) ? 1 : -1;
     (node.id() < 0 ? of_editor_ : places_).set(node.positive_id(), node.location());
   }
@@ -65,7 +69,6 @@ class AreaPlaces : public osmium::handler::Handler {
 
   std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
   std::unordered_set<osmium::object_id_type> closed_ways, open_ways;  // that are selected
-  std::unordered_set<osmium::object_id_type> points;                  // that are selected
 
  private:
   static constexpr std::int32_t half_turn = 180 * osmium::detail::coordinate_precision;
@@ -84,6 +87,7 @@ class AreaPlaces : public osmium::handler::Handler {
   }
 
   const AreaSelection& selection_;
+  SelectedPoints& points_;
   using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
   Index places_, of_editor_;
   std::int64_t balance_ = 0;  // nodes beyond 90 degrees east or west, less the others

@@ -19,22 +19,31 @@
 #include "tools/osm/outer_ways.h"
 #include "tools/osm/packed_map.h"
 #include "tools/osm/read_guarded.h"
+#include "tools/osm/selected_points.h"
 #include "tools/osm/whole_tags.h"
 
 namespace nightcity::osm {
 namespace {
 
-// Returns how many nodes of a document are selected.
-std::size_t count_points(const pugi::xml_node& root, const AreaSelection& selection) {
-  std::size_t count = 0;
-  for (const pugi::xml_node& node : root.children("node")) {
-    if (!node.child("tag") || read_version(node).deleted) continue;
-    const OsmTags tags = read_tags(node);
+// Passes the nodes of a document that are selected to `points`, then the other versions of these.
+void collect_points(const pugi::xml_node& root, const AreaSelection& selection,
+                    SelectedPoints& points) {
+  const auto is_wanted = [&](const OsmTags& tags) {
     const auto is_said = [&](const std::string& key) { return tags.contains(key); };
-    count += std::any_of(selection.keys.begin(), selection.keys.end(), is_said) &&
-             (!selection.wants || selection.wants(tags));
-  }
-  return count;
+    return std::any_of(selection.keys.begin(), selection.keys.end(), is_said) &&
+           (!selection.wants || selection.wants(tags));
+  };
+  for (const bool is_selected : {true, false})
+    for (const pugi::xml_node& node : root.children("node")) {
+      if (is_selected ? !node.child("tag") : points.is_empty()) continue;
+      const auto id = to_number<std::int64_t>(node.attribute("id").value());
+      if (!id || (!is_selected && !points.knows(*id))) continue;
+      const OsmVersion version = read_version(node);
+      OsmTags tags = version.deleted ? OsmTags() : read_tags(node);
+      const bool wanted = !tags.empty() && is_wanted(tags);
+      if (wanted == is_selected)
+        points.add(*id, version.rank(), read_place(node), wanted ? std::move(tags) : OsmTags());
+    }
 }
 
 enum class Order : std::uint8_t { usual, any };
@@ -51,12 +60,12 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
       {{}, max_nodes, &too_long, &outer_ways}, filter};
   ObjectCheck check;
   RelationGate gate(manager, selection, too_long);
-  AreaPlaces places(selection);
+  SelectedPoints points(selection);
+  AreaPlaces places(selection, points);
   AreaCollector collector(selection, outer_ways, places);
   const auto collect = [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, collector); };
-  std::size_t points = 0;
   if (const auto document = find_osm_document(file)) {
-    points = count_points(document->child("osm"), selection);
+    collect_points(document->child("osm"), selection, points);
     ArrangedMap map = arrange_map(document->child("osm"));
     osmium::apply(map.relations, gate);
     manager.prepare_for_lookup();
@@ -76,8 +85,7 @@ MapAreas read_areas(const std::filesystem::path& file, const AreaSelection& sele
     osmium::apply(reader, check, places, manager.handler(collect));
     reader.close();
   }
-  MapAreas areas = std::move(collector).finish(too_long);
-  areas.points = points + places.points.size();
+  MapAreas areas = std::move(collector).finish(too_long, std::move(points));
   std::size_t incomplete = 0;
   manager.for_each_incomplete_relation([&](const osmium::relations::RelationHandle& handle) {
     incomplete += has_key(handle->tags(), selection);

@@ -19,19 +19,40 @@ namespace nightcity::osm {
 struct MapRings {
   std::vector<glm::dvec2> outer;
   std::vector<std::vector<glm::dvec2>> holes;
+
+  /// Passes each field to an archive (tools/archive.h).
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(outer, holes);
+  }
 };
 
 struct MapArea {
   std::string id;  // "way/123", "relation/45"
   OsmTags tags;
   std::vector<MapRings> rings;
+
+  /// Passes each field to an archive, as those of MapRings.
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(id, tags, rings);
+  }
+};
+
+/// A node of its own: a tank or a tower that nobody has drawn an outline of. Longitudes count as
+/// those of MapRings.
+struct MapPoint {
+  std::string id;  // "node/123"
+  OsmTags tags;
+  glm::dvec2 lon_lat{0, 0};
 };
 
 /// Selects areas that have one of these tags and whose tags `wants` accepts (empty: all).
 struct AreaSelection {
   std::vector<std::string> keys;
   std::function<bool(const OsmTags&)> wants{};
-  std::optional<Day> day{};  // what is gone then or not built yet is left out and counted
+  std::optional<Day> day{};   // what is gone then or not built yet is left out and counted
+  bool keeps_points = false;  // nodes that are selected are returned, and not only counted
 };
 
 struct MapAreas {
@@ -42,6 +63,7 @@ struct MapAreas {
   std::size_t too_long = 0;
   std::size_t gone = 0;               // areas that are not there on the selection's day
   std::size_t points = 0;             // nodes that were selected, which have no outline
+  std::vector<MapPoint> kept_points;  // these nodes, by the text of their ids
   std::vector<std::string> replaced;  // ways that are no areas, but outlines of multipolygons
 };
 

@@ -1,5 +1,7 @@
 #include "tools/osm/map_file.h"
 
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -88,9 +90,41 @@ std::optional<city::Document> find_unread(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+// Files by names in place of which others are read.
+class StandIns {
+ public:
+  void set(const std::filesystem::path& file, const std::shared_ptr<ScratchFile>& bytes) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(bytes_, [](const auto& one) { return one.second.expired(); });
+    bytes_[file] = bytes;
+  }
+  std::shared_ptr<ScratchFile> find(const std::filesystem::path& file) {
+    const std::lock_guard lock(mutex_);
+    const auto found = bytes_.find(file);
+    return found == bytes_.end() ? nullptr : found->second.lock();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::filesystem::path, std::weak_ptr<ScratchFile>> bytes_;
+};
+
+StandIns& stand_ins() {
+  static StandIns all;
+  return all;
+}
+
 }  // namespace
 
+void set_stand_in(const std::filesystem::path& file, const std::shared_ptr<ScratchFile>& bytes) {
+  stand_ins().set(file, bytes);
+}
+
 MapFile::MapFile(const std::filesystem::path& file) : path_(file), name_(file.string()) {
+  if ((unpacked_ = stand_ins().find(file))) {
+    path_ = unpacked_->path_while_open();
+    return;
+  }
   static city::LastOfFiles<UnpackedMap> last;
   std::optional<city::Document> alone;
   if (!city::is_archive_file(file) && !(alone = find_unread(file))) return;

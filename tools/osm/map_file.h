@@ -33,6 +33,9 @@ class MapFile {
   std::shared_ptr<ScratchFile> unpacked_;  // null: the file itself
 };
 
+/// From now on MapFile finds these bytes in place of a file's, as long as somebody keeps them.
+void set_stand_in(const std::filesystem::path& file, const std::shared_ptr<ScratchFile>& bytes);
+
 /// Returns what `work` makes of the path at which a map lies plain or as one of OSM's packed
 /// formats. Errors name the map.
 template <class Work>

@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <map>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "tools/osm/crowded_streets.h"
+#include "tools/osm/kind_keys.h"
 #include "tools/osm/lifecycle.h"
+#include "tools/osm/mean_place.h"
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/repeated_things.h"
 #include "tools/osm/resolution.h"
+#include "tools/osm/tag_values.h"
 #include "tools/place/longitude.h"
 
 namespace nightcity::osm {
@@ -23,15 +29,11 @@ bool on_globe(const glm::dvec2& lon_lat) {
   return std::abs(lon_lat.x) <= 180 && std::abs(lon_lat.y) <= 90;
 }
 
-glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
-  // The end of an area repeats its beginning.
-  const bool closed = points.size() > 1 && points.front() == points.back();
-  const std::size_t count = points.size() - (closed ? 1 : 0);
-  glm::dvec2 sum(0);
-  for (std::size_t n = 0; n < count; ++n)
-    sum += glm::dvec2(place::count_on(points[n].x, points[0].x), points[n].y);
-  sum /= static_cast<double>(count);
-  return {place::count_on(sum.x, 0), sum.y};
+// Returns whether a relation is an area of which its outer ways say what it is (OuterWays).
+bool is_untagged_area(const OsmTags& tags) {
+  return find_tag(tags, "type") == "multipolygon" &&
+         std::none_of(kind_keys.begin(), kind_keys.end(),
+                      [&](std::string_view key) { return tags.contains(std::string(key)); });
 }
 
 // A node that a way names twice in a row would be a junction to what counts arms.
@@ -49,6 +51,7 @@ OsmCollector::Key OsmCollector::key_of(std::int64_t id) const {
 
 void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec2& lon_lat,
                             OsmTags tags) {
+  if (reads_members_) return relations_.add_node(id, file_, version, std::move(tags));
   const Key key = key_of(id);
   if (version.deleted) return places_.push_back({key, version.rank(), deleted_lon, 0});
   if (!on_globe(lon_lat)) return count_bad_node();
@@ -74,6 +77,8 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
 
 void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes,
                            OsmTags tags) {
+  if (reads_members_)
+    return relations_.add_way(id, file_, version, std::move(nodes), std::move(tags));
   const Key key = key_of(id);
   way_states_.push_back({key, version.rank(), version.deleted});
   if (version.deleted) return;
@@ -94,7 +99,7 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
 }
 
 void OsmCollector::add_bounds(LonLatBox box) {
-  if (!on_globe(box.low) || !on_globe(box.high) || box.low.y > box.high.y) return;
+  if (reads_members_ || !on_globe(box.low) || !on_globe(box.high) || box.low.y > box.high.y) return;
   // Across the antimeridian west is greater than east (RFC 7946, section 5.2).
   if (box.low.x > box.high.x) box.high.x = place::count_on(box.high.x, box.low.x);
   if (box.low.x > box.high.x) return;
@@ -108,10 +113,42 @@ void OsmCollector::add_bounds(LonLatBox box) {
   all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
 }
 
-void OsmCollector::add_relation(const OsmTags& tags) {
-  ++data_.relations;
+void OsmCollector::add_relation(std::int64_t id, OsmVersion version, OsmRelation relation) {
+  if (reads_members_) return;
+  const OsmTags& tags = relation.tags;
+  data_.relations += !version.deleted;
   if (is_barrier(tags)) ++data_.barrier_relations;
-  if (is_lamp(tags)) ++data_.lamp_relations;
+  if (is_building(tags) || is_untagged_area(tags)) ++data_.building_relations;
+  relations_.add({id, id < 0 ? file_ : 0}, version, std::move(relation));
+}
+
+bool OsmCollector::begin_members() {
+  reads_members_ = relations_.choose();
+  if (reads_members_) file_ = 0;
+  return reads_members_;
+}
+
+/// Behind all places, and before lamps and ways are placed.
+void OsmCollector::add_lamps_of_relations() {
+  const auto find_place = [&](const LampRelations::Key& node) -> std::optional<glm::dvec2> {
+    file_ = node.second;
+    const Place* place = find(places_, key_of(node.first));
+    if (!place || place->lon == deleted_lon) return std::nullopt;
+    return glm::dvec2(place->lon * resolution_degrees, place->lat * resolution_degrees);
+  };
+  std::map<Key, OsmTags*> of_nodes, of_ways;
+  for (PendingLamp& lamp : lamps_) of_nodes[lamp.key] = &lamp.lamp.tags;
+  for (PendingWay& way : pending_)
+    if (is_lamp(way.way.tags)) of_ways[way.key] = &way.way.tags;
+  const auto complete = [&](const OsmMember& member, const LampRelations::Key& id,
+                            const OsmTags& tags) {
+    file_ = id.second;
+    const auto& known = member.type == OsmMember::Type::node ? of_nodes : of_ways;
+    if (const auto found = known.find(key_of(id.first)); found != known.end())
+      found->second->insert(tags.begin(), tags.end());
+  };
+  for (OsmLampNode& lamp : relations_.place(find_place, complete, data_.lamp_relations))
+    data_.lamps.push_back(std::move(lamp));
 }
 
 /// Sorts by key and keeps the newest of each, of equally new ones the first.
@@ -194,7 +231,7 @@ void OsmCollector::place_ways() {
         pending.nodes.empty();  // as `out tags` and `out bb` of Overpass leave it
     const bool highway = is_highway(way.tags);
     if (!highway && is_lamp(way.tags) && !way.lon_lat.empty())
-      data_.lamps.push_back({way.id, mean(way.lon_lat), way.tags, true});
+      data_.lamps.push_back({way.id, find_mean_place(way.lon_lat), way.tags, true});
     if (way.lon_lat.size() < 2) continue;
     if (may_shine(way.tags)) data_.shining_things.push_back({way.id, true, way.lon_lat, way.tags});
     if (is_barrier(way.tags)) data_.barriers.push_back(way);
@@ -217,6 +254,7 @@ OsmData OsmCollector::finish() && {
   drop_old(lamps_, places_);
   drop_old(things_, places_);
   drop_old(pending_, way_states_);
+  if (reads_members_) add_lamps_of_relations();
   for (PendingLamp& pending : lamps_) data_.lamps.push_back(std::move(pending.lamp));
   place_points(trees_, data_.trees);
   place_points(controls_, data_.controls);

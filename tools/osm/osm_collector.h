@@ -1,40 +1,20 @@
 // Makes OsmData from the nodes and ways that all parsers deliver, file after file, in any order.
 #pragma once
 
-#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tools/osm/days.h"
+#include "tools/osm/lamp_relations.h"
 #include "tools/osm/osm_data.h"
+#include "tools/osm/osm_elements.h"
 #include "tools/today.h"
 
 namespace nightcity::osm {
-
-/// The state of an element in a file. The one with the greatest version counts, and an edited one
-/// counts before the version that it was made from; 0 if the file has no versions.
-struct OsmVersion {
-  std::uint32_t number = 0;
-  bool edited = false;   // by an editor, and not uploaded yet
-  bool deleted = false;  // the element is gone: it takes older versions along
-
-  /// Returns a number that is greater for a newer version.
-  std::uint32_t rank() const {
-    return 2 * std::min(number, std::uint32_t{1} << 30) + (edited ? 1 : 0);
-  }
-};
-
-/// A node of a way. `lon_lat` is not a number unless the way holds its nodes' places itself
-/// (`osmium add-locations-to-ways`, Overpass' `out geom`).
-struct OsmNodeRef {
-  std::int64_t id;
-  glm::dvec2 lon_lat{std::numeric_limits<double>::quiet_NaN()};
-};
 
 class OsmCollector {
  public:
@@ -49,12 +29,20 @@ class OsmCollector {
   /// do not shine. `tags` may be empty. Coordinates in degrees; nodes that are not finite or off
   /// the globe are counted and skipped, except for deleted ones.
   void add_node(std::int64_t id, OsmVersion version, const glm::dvec2& lon_lat, OsmTags tags);
-  void count_bad_node() { ++nodes_, ++data_.bad_coordinates; }
+  void count_bad_node() {
+    if (!reads_members_) ++nodes_, ++data_.bad_coordinates;
+  }
   void add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes, OsmTags tags);
-  void add_relation(const OsmTags& tags);
+  void add_relation(std::int64_t id, OsmVersion version, OsmRelation relation);
   /// Adds the rectangle that a file says it holds; it may say several.
   void add_bounds(LonLatBox box);
-  void add_remark(std::string text) { data_.remarks.push_back(std::move(text)); }
+  void add_remark(std::string text) {
+    if (!reads_members_) data_.remarks.push_back(std::move(text));
+  }
+
+  /// Returns whether the same files have to come once more, for the members of relations, and then
+  /// takes these alone.
+  bool begin_members();
 
   /// Gives the ways their coordinates and returns everything. Of several versions of an element the
   /// newest counts, of equal ones the first.
@@ -110,6 +98,7 @@ class OsmCollector {
   void drop_old(std::vector<Pending>& pending, const std::vector<Entry>& newest);
   void place_points(std::vector<PendingPoint>& pending, std::vector<OsmPoint>& points);
   void place_ways();
+  void add_lamps_of_relations();
 
   OsmData data_;
   std::size_t max_way_nodes_;
@@ -123,6 +112,8 @@ class OsmCollector {
   std::vector<PendingPoint> trees_, controls_, crossings_, gates_, squares_;
   std::vector<PendingThing> things_;
   std::vector<PendingWay> pending_;
+  LampRelations relations_;
+  bool reads_members_ = false;
 };
 
 }  // namespace nightcity::osm

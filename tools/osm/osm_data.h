@@ -78,10 +78,11 @@ struct OsmData {
   std::vector<OsmPoint> squares;     // nodes with place=square
   std::vector<OsmShiningThing> shining_things;  // by id, nodes first
   std::size_t nodes = 0, ways = 0, relations = 0;
-  std::size_t barrier_relations = 0;  // with barrier=*: read_map_areas has their outlines
+  // Relations that are barriers, and that may be buildings: read_map_areas has their outlines.
+  std::size_t barrier_relations = 0, building_relations = 0;
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;
   std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version
-  std::size_t lamp_relations = 0;  // not read
+  std::size_t lamp_relations = 0;  // left out: none of their members is in the map
   std::size_t roof_lines = 0;      // not read: roof:ridge and roof:edge
   std::size_t repeated = 0;        // left out: what the map has twice in one place
   std::size_t long_ways = 0;       // left out: of more nodes than a reader's limit
@@ -99,7 +100,7 @@ inline std::map<std::string, std::size_t> count_skipped(const OsmData& map) {
           {"bad coordinates", map.bad_coordinates},
           {"duplicates", map.duplicates},
           {"drawn twice in one place", map.repeated},
-          {"lamps that are relations", map.lamp_relations},
+          {"lamps that are relations without a place", map.lamp_relations},
           {"ridges and edges of roofs", map.roof_lines},
           {"older versions", map.old_versions},
           {"ways of too many nodes", map.long_ways},

@@ -12,6 +12,7 @@
 #include "tools/osm/osm_collector.h"
 #include "tools/osm/osm_document.h"
 #include "tools/osm/osm_parsers.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/osm/packed_map.h"
 #include "tools/osm/whole_tags.h"
 
@@ -27,6 +28,19 @@ OsmTags tags_of(const osmium::OSMObject& object) {
 
 OsmVersion version_of(const osmium::OSMObject& object) {
   return {object.version(), false, object.deleted()};
+}
+
+void collect_relation(const osmium::Relation& from, OsmCollector& collector) {
+  OsmRelation relation{from.deleted() ? OsmTags() : tags_of(from), {}, {}};
+  if (is_lamp(relation.tags))
+    for (const osmium::RelationMember& member : from.members())
+      if (member.type() == osmium::item_type::node || member.type() == osmium::item_type::way)
+        relation.members.push_back({member.type() == osmium::item_type::node ? OsmMember::Type::node
+                                                                             : OsmMember::Type::way,
+                                    member.ref(),
+                                    member.role(),
+                                    {}});
+  collector.add_relation(from.id(), version_of(from), std::move(relation));
 }
 
 void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
@@ -50,8 +64,8 @@ void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
           nodes.back().lon_lat = {reference.location().lon(), reference.location().lat()};
       }
       collector.add_way(way.id(), version_of(way), std::move(nodes), tags_of(way));
-    } else if (object.type() == osmium::item_type::relation && !object.deleted()) {
-      collector.add_relation(tags_of(object));
+    } else if (object.type() == osmium::item_type::relation) {
+      collect_relation(static_cast<const osmium::Relation&>(object), collector);
     }
   }
 }

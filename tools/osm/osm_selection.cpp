@@ -40,6 +40,8 @@ constexpr std::array<std::string_view, 6> sports_grounds = {
 constexpr std::array<std::string_view, 4> tall_things = {"tower", "mast", "chimney", "water_tower"};
 constexpr std::array<std::string_view, 4> obstruction_lights = {"obstruction_light", "obstruction",
                                                                 "aviation", "warning"};
+constexpr std::array<std::string_view, 5> open_towers = {"lattice", "guyed_lattice", "guyed_tube",
+                                                         "freestanding_lattice", "scaffolding"};
 constexpr std::array<std::string_view, 9> churches = {"church", "cathedral", "chapel",
                                                       "mosque", "synagogue", "temple",
                                                       "castle", "monastery", "shrine"};
@@ -97,6 +99,11 @@ bool may_shine(const OsmTags& tags) {
 
 bool is_control(const OsmTags& tags) {
   return has_one_of(tags, "highway", controls);
+}
+
+bool is_open_tower(const OsmTags& tags) {
+  return find_tag(tags, "man_made") == "mast" ||
+         has_one_of(tags, "tower:construction", open_towers);
 }
 
 bool is_railway(const OsmTags& tags) {

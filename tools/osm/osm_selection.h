@@ -33,6 +33,8 @@ bool is_sports_ground(const OsmTags& tags);
 /// Returns whether it is a light that warns aircraft: one of the values of aeroway=* or
 /// light_source=*.
 bool is_obstruction_light(const OsmTags& tags);
+/// Returns whether it is a mast or a tower of bars and ropes: light passes through it.
+bool is_open_tower(const OsmTags& tags);
 /// Returns whether it has railway=* but "no": tracks, and what belongs to them.
 bool is_railway(const OsmTags& tags);
 /// Returns whether a node is a crossing of people on foot: one of the values of highway=*.

@@ -37,6 +37,29 @@ void collect_way(const pugi::xml_node& element, OsmCollector& collector) {
   collector.add_way(*id, read_version(element), std::move(nodes), std::move(tags));
 }
 
+void collect_relation(const pugi::xml_node& element, OsmCollector& collector) {
+  const auto id = to_number<std::int64_t>(element.attribute("id").value());
+  const OsmVersion version = read_version(element);
+  OsmRelation relation{version.deleted ? OsmTags() : read_tags(element), {}, {}};
+  if (is_lamp(relation.tags)) {
+    if (const pugi::xml_node centre = element.child("center")) relation.centre = read_place(centre);
+    for (const pugi::xml_node& from : element.children("member")) {
+      const std::string_view type = from.attribute("type").value();
+      const auto reference = to_number<std::int64_t>(from.attribute("ref").value());
+      if (!reference || (type != "node" && type != "way")) continue;
+      OsmMember member{type == "node" ? OsmMember::Type::node : OsmMember::Type::way,
+                       *reference,
+                       from.attribute("role").value(),
+                       {}};
+      if (from.attribute("lat")) member.places.push_back(read_place(from));
+      for (const pugi::xml_node& place : from.children("nd"))
+        member.places.push_back(read_place(place));
+      relation.members.push_back(std::move(member));
+    }
+  }
+  collector.add_relation(id.value_or(0), version, std::move(relation));
+}
+
 void collect_bounds(const pugi::xml_node& element, OsmCollector& collector) {
   const auto read = [&](const char* name) {
     return to_number<double>(element.attribute(name).value());
@@ -66,7 +89,7 @@ void collect_document(const pugi::xml_node& root, const std::filesystem::path& f
     } else if (name == "way") {
       collect_way(element, collector);
     } else if (name == "relation") {
-      if (!read_version(element).deleted) collector.add_relation(read_tags(element));
+      collect_relation(element, collector);
     } else if (name == "bounds") {
       collect_bounds(element, collector);
     } else if (name == "action") {

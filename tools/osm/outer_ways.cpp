@@ -4,7 +4,6 @@
 #include <osmium/osm/location.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -13,18 +12,11 @@
 #include <unordered_set>
 #include <utility>
 
+#include "tools/osm/kind_keys.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::osm {
 namespace {
-
-// Keys that say what a thing is: a relation with one of them speaks for itself.
-constexpr std::array<std::string_view, 32> kinds = {
-    "building", "building:part", "landuse",   "landcover",       "natural", "leisure",  "amenity",
-    "highway",  "area:highway",  "waterway",  "water",           "wetland", "boundary", "place",
-    "man_made", "tourism",       "historic",  "barrier",         "railway", "aeroway",  "shop",
-    "office",   "power",         "military",  "indoor",          "sport",   "parking",  "craft",
-    "club",     "healthcare",    "emergency", "public_transport"};
 
 // Finds the ring that a way lies on, in a time that does not grow with the number of rings.
 class RingFinder {
@@ -81,7 +73,7 @@ OsmTags find_common(const OsmTags& a, const OsmTags& b) {
 bool is_untagged_multipolygon(const osmium::Relation& relation) {
   const char* type = relation.tags().get_value_by_key("type");
   return type && std::strcmp(type, "multipolygon") == 0 &&
-         std::none_of(kinds.begin(), kinds.end(),
+         std::none_of(kind_keys.begin(), kind_keys.end(),
                       [&](std::string_view key) { return relation.tags().has_key(key.data()); });
 }
 

@@ -35,6 +35,15 @@ osmium::io::File open_packed_map(const std::filesystem::path& file) {
 }
 
 SortedMap::SortedMap(const std::filesystem::path& file) {
+  add(file);
+  objects_.sort(osmium::object_order_type_id_version{});
+}
+
+void SortedMap::sort_newest_first() {
+  objects_.sort(osmium::object_order_type_id_reverse_version{});
+}
+
+void SortedMap::add(const std::filesystem::path& file) {
   constexpr std::uintmax_t max_bytes = 256 << 20;
   constexpr std::size_t max_unpacked_bytes = std::size_t{4} << 30;
   constexpr const char* too_large =
@@ -44,16 +53,15 @@ SortedMap::SortedMap(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file, ignored) > max_bytes) throw Error(file.string(), too_large);
   osmium::io::Reader reader(open_packed_map(file), osmium::osm_entity_bits::nwr,
                             osmium::io::read_meta::yes);
-  std::size_t unpacked = 0;  // a small file may unpack to a thousand times its size
+  const std::size_t known = buffers_.size();
   while (osmium::memory::Buffer buffer = reader.read()) {
-    unpacked += buffer.committed();
-    if (unpacked > max_unpacked_bytes) throw Error(file.string(), too_large);
+    unpacked_ += buffer.committed();  // a small file may unpack to a thousand times its size
+    if (unpacked_ > max_unpacked_bytes) throw Error(file.string(), too_large);
     buffers_.push_back(std::move(buffer));
   }
   reader.close();
   ObjectCheck check;
-  for (osmium::memory::Buffer& buffer : buffers_) osmium::apply(buffer, check, objects_);
-  objects_.sort(osmium::object_order_type_id_version{});
+  for (std::size_t i = known; i < buffers_.size(); ++i) osmium::apply(buffers_[i], check, objects_);
 }
 
 }  // namespace nightcity::osm

@@ -6,6 +6,7 @@
 #include <osmium/object_pointer_collection.hpp>
 #include <osmium/visitor.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,6 +26,14 @@ osmium::io::File open_packed_map(const std::filesystem::path& file, const std::s
 class SortedMap {
  public:
   explicit SortedMap(const std::filesystem::path& file);
+  SortedMap() = default;
+
+  /// Adds the elements of another file, behind which they have to be sorted.
+  void add(const std::filesystem::path& file);
+  /// Of an element the newest version comes first.
+  void sort_newest_first();
+  auto begin() const { return objects_.cbegin(); }
+  auto end() const { return objects_.cend(); }
 
   /// Calls the handlers of libosmium one after the other for each element, and then flushes them.
   template <class... Handlers>
@@ -34,6 +43,7 @@ class SortedMap {
 
  private:
   std::vector<osmium::memory::Buffer> buffers_;  // which the objects lie in
+  std::size_t unpacked_ = 0;
   osmium::ObjectPointerCollection objects_;
 };
 

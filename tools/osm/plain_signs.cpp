@@ -38,6 +38,7 @@ std::optional<Sign> find_sign(std::string_view text) {
       {"\xe2\x80\x93", '-'},
       {"\xe2\x88\x92", '-'},
       {"\xe2\x89\x88", '~'},
+      {"\xe3\x80\x9c", '~'},
       // Marks of direction, of places to break and of byte order, which nobody sees.
       {"\xe2\x80\x8b", 0},
       {"\xe2\x80\x8c", 0},

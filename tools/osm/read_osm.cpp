@@ -56,8 +56,12 @@ bool begins_as_osm(std::string_view start) {
 
 OsmData read_osm(std::span<const std::filesystem::path> files, std::size_t max_way_nodes) {
   OsmCollector collector(max_way_nodes);
-  for (const std::filesystem::path& file : files)
-    read_map_file(file, [&](const std::filesystem::path& plain) { collect(plain, collector); });
+  const auto collect_all = [&] {
+    for (const std::filesystem::path& file : files)
+      read_map_file(file, [&](const std::filesystem::path& plain) { collect(plain, collector); });
+  };
+  collect_all();
+  if (collector.begin_members()) collect_all();
   return std::move(collector).finish();
 }
 

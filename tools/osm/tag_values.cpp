@@ -21,103 +21,6 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Removes the words and signs that say that a length is about right.
-void skip_about(string_view& text) {
-  constexpr std::array<string_view, 12> words = {
-      "~",      "<",     ">",      "+",     "approximately", "approx.",
-      "approx", "about", "around", "circa", "ca.",           "c."};
-  for (bool found = true; found;) {
-    skip_blanks(text);
-    found = false;
-    for (const string_view word : words)
-      if (text.starts_with(word)) {
-        text.remove_prefix(word.size());
-        found = true;
-        break;
-      }
-  }
-}
-
-// Returns a unit without a remark in brackets behind it: "m (39 ft)".
-string_view drop_remark(string_view unit) {
-  const std::size_t bracket = unit.find('(');
-  return bracket != unit.npos && unit.ends_with(')') ? unit.substr(0, bracket) : unit;
-}
-
-constexpr double foot_m = 0.3048, inch_m = 0.0254;
-
-std::optional<double> find_metres_per(string_view unit) {
-  static const std::unordered_map<string_view, double> table{
-      {"", 1},
-      {"m", 1},
-      {"mt", 1},
-      {"mts", 1},
-      {"mtr", 1},
-      {"mtrs", 1},
-      {"meter", 1},
-      {"meters", 1},
-      {"metre", 1},
-      {"metres", 1},
-      {"metro", 1},
-      {"metros", 1},
-      {"metri", 1},
-      {"mètre", 1},
-      {"mètres", 1},
-      {"méter", 1},
-      {"metr", 1},
-      {"metry", 1},
-      {"metrów", 1},
-      {"метр", 1},
-      {"метра", 1},
-      {"метров", 1},
-      {"метри", 1},
-      {"метрів", 1},
-      {"米", 1},
-      {"公尺", 1},
-      {"メートル", 1},
-      {"미터", 1},
-      {"م", 1},
-      {"متر", 1},
-      {"\xd0\xbc", 1},  // Cyrillic, small and capital
-      {"\xd0\x9c", 1},
-      {"cm", 0.01},
-      {"mm", 0.001},
-      {"dm", 0.1},
-      {"km", 1000},
-      {"ft", foot_m},
-      {"foot", foot_m},
-      {"feet", foot_m},
-      {"'", foot_m},
-      {"in", inch_m},
-      {"inch", inch_m},
-      {"inches", inch_m},
-      {"\"", inch_m},
-      {"''", inch_m},
-      {"yd", 3 * foot_m},
-      {"yard", 3 * foot_m},
-      {"yards", 3 * foot_m}};
-  if (unit.ends_with('.')) unit.remove_suffix(1);
-  const auto found = table.find(unit);
-  return found == table.end() ? std::nullopt : std::optional(found->second);
-}
-
-// Reads the inches of "12'6\"" and "12 ft 6 in" behind the number of feet.
-std::optional<double> take_inches(string_view rest) {
-  bool feet = false;
-  for (const string_view unit : {"feet", "foot", "ft.", "ft", "'"})
-    if (!feet && rest.starts_with(unit)) {
-      rest.remove_prefix(unit.size());
-      feet = true;
-    }
-  if (!feet) return std::nullopt;
-  if (rest.starts_with('-')) rest.remove_prefix(1);  // 32'-6", as drawings have it
-  const auto inches = take_number(rest);
-  if (!inches) return std::nullopt;
-  const std::string unit = normalise_tag(rest);
-  const auto metres = unit.empty() ? inch_m : find_metres_per(unit);
-  return metres == inch_m ? inches : std::nullopt;
-}
-
 }  // namespace
 
 std::string normalise_tag(std::string_view value) {
@@ -259,39 +162,10 @@ double take_factor(string_view& text) {
 std::optional<double> parse_watts(string_view text) {
   constexpr double least = 3;
   const double factor = take_factor(text);
-  const auto one =
-      parse_amount(text, least, {"w", "watt", "watts", "вт", "Вт"}, {"kw", "kilowatt"});
+  const auto one = parse_amount(
+      text, least, {"w", "watt", "watts", "wat", "wats", "vatios", "watios", "вт", "Вт"},
+      {"kw", "kilowatt"});
   return one ? std::optional(factor * *one) : std::nullopt;
-}
-
-std::optional<double> parse_length_m(string_view text) {
-  const std::string plain = to_plain_signs(text);
-  const auto parts = split_list(plain);
-  if (parts.empty()) return std::nullopt;
-  string_view rest = parts.front();
-  skip_about(rest);
-  auto value = take_number(rest);
-  if (!value) return std::nullopt;
-  if (rest.starts_with("-")) {
-    rest.remove_prefix(1);
-    const auto upper = take_number(rest);
-    if (!upper) return std::nullopt;
-    value = (*value + *upper) / 2;
-  }
-  rest = drop_remark(rest);
-  if (const auto metres = find_metres_per(normalise_tag(rest))) return *value * *metres;
-  if (const auto inches = take_inches(rest)) return *value * foot_m + *inches * inch_m;
-  return std::nullopt;
-}
-
-std::optional<double> find_length_m(const OsmTags& tags, std::initializer_list<const char*> keys,
-                                    double least_m, double greatest_m) {
-  for (const char* key : keys)
-    if (const auto found = tags.find(key); found != tags.end())
-      if (const auto length = parse_length_m(found->second);
-          length && *length >= least_m && *length <= greatest_m)
-        return length;
-  return std::nullopt;
 }
 
 }  // namespace nightcity::osm

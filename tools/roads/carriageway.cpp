@@ -55,12 +55,13 @@ std::optional<double> sum_widths(const std::string& text) {
 }
 
 /// Returns the width from the first of the tags that say one; OSM wiki, "Key:width": `est_width`
-/// is an estimate, and `width:carriageway` goes from kerb to kerb.
+/// is an estimate, and `width:carriageway` goes from kerb to kerb. Most streets of Japan have the
+/// range of Yahoo's map (`yh:WIDTH`, "3.0m～5.5m").
 std::optional<double> find_width_m(const osm::OsmTags& tags, double min_m) {
   const auto is_sound = [&](const std::optional<double>& m) {
     return m && *m >= min_m && *m <= max_width_m;
   };
-  for (const char* key : {"width:carriageway", "width", "est_width"})
+  for (const char* key : {"width:carriageway", "width", "est_width", "yh:WIDTH"})
     if (const auto width = osm::parse_length_m(osm::find_raw_tag(tags, key)); is_sound(width))
       return width;
   if (const auto all = sum_widths(osm::find_raw_tag(tags, "width:lanes")); is_sound(all))

@@ -1,9 +1,8 @@
 #include "tools/survey/survey.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -13,17 +12,12 @@
 #include "tools/city/archive_entries.h"
 #include "tools/city/byte_source.h"
 #include "tools/city/text_encoding.h"
-#include "tools/georeference/frame.h"
-#include "tools/inputs/city_files.h"
 #include "tools/inputs/file_format.h"
-#include "tools/inputs/read_city.h"
 #include "tools/inventory/look_at_table.h"
-#include "tools/inventory/read_inventory.h"
-#include "tools/lights/luminaire.h"
-#include "tools/osm/read_osm.h"
+#include "tools/survey/archive_uses.h"
+#include "tools/survey/looks.h"
 #include "tools/survey/place_tables.h"
-#include "tools/terrain/open_models.h"
-#include "tools/terrain/packed_rasters.h"
+#include "tools/terrain/elevation_model.h"
 
 namespace nightcity::survey {
 namespace {
@@ -39,133 +33,6 @@ bool is_companion(const fs::path& file) {
   const std::string ending = to_lower(file.extension().string());
   return std::find(companion_endings.begin(), companion_endings.end(), ending) !=
          companion_endings.end();
-}
-
-void look_at_city(SurveyedFile& file, const std::string& format) {
-  const city::CityHead head = inputs::read_city_head(file.path);
-  file.use = Use::city;
-  file.is_obj = format == "Wavefront OBJ";
-  file.what = format + (head.version.empty() ? "" : " " + head.version);
-  for (const city::Document& document : city::list_documents(file.path, inputs::city_endings())) {
-    const auto has = [&](const std::string& name) {
-      return city::mentions(document, ":" + name) || city::mentions(document, "<" + name) ||
-             city::mentions(document, "\"" + name + "\"");
-    };
-    file.has_roads = file.has_roads || has("Road") || has("TrafficArea");
-    file.has_relief = file.has_relief || has("ReliefFeature") || has("TINRelief");
-  }
-  if (head.sample.empty()) {
-    file.use = Use::nothing;
-    file.what += ", without geometry";
-    return;
-  }
-  try {
-    const auto frame = georeference::CityFrame::from_srs_name(head.srs_name, head.sample, {});
-    file.has_crs = frame.has_lon_lat();
-    file.what += file.has_crs ? ", " + frame.description() : ", names no CRS";
-    if (!file.has_crs) return;
-    file.crs = frame.crs();
-    std::vector<glm::dvec3> places = head.sample;
-    frame.to_projected(places);
-    for (const glm::dvec3& p : places) file.box.add(frame.to_lon_lat(glm::dvec2(p)));
-  } catch (const Error& error) {
-    file.what += ", its CRS cannot be used: " + std::string(error.what());
-  }
-}
-
-void look_at_map(SurveyedFile& file) {
-  const osm::OsmData map = osm::read_osm(file.path);
-  file.use = Use::map;
-  file.has_crs = true;
-  file.lamps = map.lamps.size();
-  file.streets = map.highways.size();
-  file.buildings = map.buildings.size();
-  file.what = fmt::format("OpenStreetMap, {} lamps, {} streets, {} buildings", file.lamps,
-                          file.streets, file.buildings);
-  for (const auto* ways : {&map.highways, &map.buildings})
-    for (const osm::OsmWay& way : *ways)
-      for (const glm::dvec2& p : way.lon_lat) file.box.add(p);
-  for (const osm::OsmLampNode& lamp : map.lamps) file.box.add(lamp.lon_lat);
-}
-
-void look_at_table(SurveyedFile& file) {
-  const inventory::TableLook look = inventory::look_at_table(file.path);
-  // Many kinds of JSON have lists of objects.
-  if (!look.has_points && look.format == "JSON") throw inventory::NoTable("", "has no points");
-  if (!look.has_points) {
-    file.what = look.format + " without points: a table of lamps has a point in each row";
-    return;
-  }
-  const auto has = [&](const char* column) {
-    return std::find(look.columns.begin(), look.columns.end(), column) != look.columns.end();
-  };
-  if (has("position_from") && has("flux_from")) {
-    file.what = "lights of a finished scene (nightbake export), not what one is made from";
-    return;
-  }
-  inventory::InventoryFile guess = inventory::guess_inventory(file.path, look);
-  guess.layer = look.layer;
-  file.what = fmt::format("{}, {} points, columns", look.format, look.rows);
-  for (const std::string& column : look.columns) file.what += " " + column;
-  file.has_crs = !look.crs.empty();
-  if (!file.has_crs) {
-    guess.crs = "EPSG:4326";
-    file.what += std::string("; names no CRS: ") + assumed_degrees;
-  }
-  // Trees and benches are points too.
-  if (!look.speaks_of_lamps) {
-    file.what +=
-        ": nothing in these names speaks of lamps; a table that holds some belongs in "
-        "[[lamps.inventories]]";
-    return;
-  }
-  file.inventory = std::move(guess);
-  try {
-    read_lamps(file);
-  } catch (const inventory::OutsideCrs&) {
-    if (file.has_crs) throw;  // else it waits for place_tables()
-  }
-  file.use = Use::inventory;
-}
-
-void look_at_raster(SurveyedFile& file) {
-  const std::vector<terrain::ElevationModel> models =
-      terrain::open_elevation_models({file.path}, {});
-  const auto has_crs = [](const terrain::ElevationModel& model) { return model.has_crs(); };
-  file.use = Use::elevation;
-  file.has_crs = std::all_of(models.begin(), models.end(), has_crs);
-  file.crs = models.front().crs();
-  file.what = models.size() == 1 ? "raster of heights"
-                                 : fmt::format("{} rasters of heights", models.size());
-  file.what +=
-      fmt::format(", one every {:.3g} m{}", models.front().resolution_m(),
-                  file.has_crs ? "" : ", names no CRS: [terrain] dem_crs, else the city's");
-  if (!models.front().assumption().empty()) file.what += ", " + models.front().assumption();
-}
-
-void look_at_luminaire(SurveyedFile& file, const std::string& format) {
-  const lights::Luminaire luminaire = lights::read_luminaire(file.path);
-  file.use = Use::luminaire;
-  file.what = fmt::format("{}, photometry of a luminaire of {:.0f} lm", format, luminaire.flux_lm);
-}
-
-// Tells what else an archive holds that a recipe could name: of its kinds one is read.
-void tell_unread(SurveyedFile& file, inputs::FileKind read) {
-  constexpr std::array<std::string_view, 17> useful{
-      ".csv", ".tsv", ".geojson", ".json", ".shp", ".gpkg", ".fgb", ".tif", ".tiff",
-      ".asc", ".xyz", ".pbf",     ".osm",  ".ies", ".ldt",  ".gml", ".obj"};
-  const city::FileContents contents = inputs::list_readable(file.path);
-  std::string unread;
-  const auto add = [&](const std::string& what) { unread += (unread.empty() ? "" : ", ") + what; };
-  for (const city::Document& document : contents.documents) {
-    const inputs::FileFormat* format = inputs::find_format(document);
-    if (format && format->kind != read)
-      add(fs::path(document.name).filename().string() + " (" + format->name + ")");
-  }
-  for (const auto& [ending, count] : contents.others)
-    if (std::find(useful.begin(), useful.end(), ending) != useful.end())
-      add(fmt::format("{} {}", count, ending));
-  if (!unread.empty()) file.what += "; unpack it for what else it holds: " + unread;
 }
 
 void look_at_format(SurveyedFile& file) {
@@ -184,14 +51,6 @@ void look_at_format(SurveyedFile& file) {
       file.what = std::string(format.name) +
                   ": a finished scene, not what one is made from; a model is exported as Wavefront "
                   "OBJ (Blender does)";
-  }
-}
-
-bool is_archive_of_rasters(const fs::path& path) {
-  try {
-    return terrain::holds_packed_rasters(path);
-  } catch (const Error&) {
-    return false;  // broken, as the attempts to read it say
   }
 }
 
@@ -288,7 +147,11 @@ std::vector<SurveyedFile> survey_files(const std::vector<fs::path>& paths) {
   std::set<fs::path> files;
   for (const fs::path& path : paths) list_files(path.lexically_normal(), files);
   std::vector<SurveyedFile> result;
-  for (const fs::path& file : files) result.push_back(look_at(file));
+  for (const fs::path& file : files) {
+    std::vector<SurveyedFile> uses = find_archive_uses(file);
+    if (uses.empty()) uses.push_back(look_at(file));
+    std::move(uses.begin(), uses.end(), std::back_inserter(result));
+  }
   place_tables(result);
   return result;
 }

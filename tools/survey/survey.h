@@ -35,7 +35,8 @@ struct SurveyedFile {
   std::optional<inventory::InventoryFile> inventory;
 };
 
-/// Returns the files, those in folders too, sorted by path. A table that names no CRS, and whose
+/// Returns the files, those in folders too, sorted by path; an archive once for each use that it
+/// has. A table that names no CRS, and whose
 /// places are no degrees, has that of another file, or one that is usual there, by which it lies
 /// beside the others. Never throws for what a file holds: it is then one without a use. Throws
 /// Error where a path does not exist or a folder cannot be read.

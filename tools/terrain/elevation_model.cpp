@@ -17,6 +17,7 @@
 #include "tools/gdal/utm_zone.h"
 #include "tools/terrain/fill_value.h"
 #include "tools/terrain/height_unit.h"
+#include "tools/terrain/loose_points.h"
 #include "tools/terrain/raster_checks.h"
 #include "tools/terrain/raster_crs.h"
 #include "tools/terrain/raster_formats.h"
@@ -112,6 +113,7 @@ ElevationModel::ElevationModel(const RasterFile& file, int max_block_mpx,
   CPLErrorReset();
   s.dataset.reset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, list_allowed_drivers()));
+  if (!s.dataset && says_points_in_no_order()) s.dataset = grid_loose_points(path, s.name);
   if (!s.dataset || s.dataset->GetRasterCount() < 1)
     throw NoRaster(s.name, "is no raster of heights: " + explain_unread_raster(path));
   refuse_picture(*s.dataset, s.name);

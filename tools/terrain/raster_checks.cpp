@@ -57,6 +57,10 @@ void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& n
                           "[terrain] max_dem_block_mpx in a recipe");
 }
 
+bool says_points_in_no_order() {
+  return std::string_view(CPLGetLastErrorMsg()).starts_with("Ungridded");
+}
+
 std::string explain_unread_raster(const std::string& path) {
   const std::string said = CPLGetLastErrorMsg();
   std::array<char, 4096> bytes{};
@@ -70,10 +74,8 @@ std::string explain_unread_raster(const std::string& path) {
     return "it is a zip archive: unpack it first";
   if (const std::string_view packed = describe_packed(start); !packed.empty())
     return "it " + std::string(packed);
-  if (said.starts_with("Ungridded"))
-    return said +
-           "; its points stand on no grid, or in no order: sort them by northing and easting "
-           "(sort -k2,2g -k1,1g), or make a raster of them (gdal_grid)";
+  if (says_points_in_no_order())
+    return said + "; its points stand on no grid: make a raster of them (gdal_grid)";
   if (!said.empty()) return said;
   const std::string ending = to_lower(CPLGetExtension(path.c_str()));
   VSIStatBufL status;

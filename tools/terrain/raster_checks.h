@@ -21,6 +21,9 @@ std::vector<GDALRasterBand*> find_masks(GDALDataset& dataset, GDALRasterBand& he
 /// Returns how many bands say which pixels count.
 int count_alpha_bands(GDALDataset& dataset);
 
+/// Returns whether GDAL said last that a table of points is no raster.
+bool says_points_in_no_order();
+
 /// Returns what GDAL said of a file that it does not read or, where it knows nothing of it, what
 /// that is. `path`: as GDAL takes it.
 std::string explain_unread_raster(const std::string& path);

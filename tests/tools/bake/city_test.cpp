@@ -88,7 +88,8 @@ TEST(City, AnswersQueriesOfPlacesOnceItsGroundIsBuilt) {
 // Writes a map of square buildings, each from its low to its high corner, in metres from the
 // cube's.
 void write_buildings(const std::filesystem::path& path, const georeference::CityFrame& frame,
-                     const std::vector<std::array<double, 4>>& squares) {
+                     const std::vector<std::array<double, 4>>& squares,
+                     const std::string& key = "building", const std::string& value = "yes") {
   std::string nodes, ways;
   int node = 0, way = 0;
   for (const auto& [x0, y0, x1, y1] : squares) {
@@ -103,8 +104,8 @@ void write_buildings(const std::filesystem::path& path, const georeference::City
       nodes += text;
       ways += "<nd ref=\"" + std::to_string(node) + "\"/>";
     }
-    ways += "<nd ref=\"" + std::to_string(first) +
-            "\"/><tag k=\"building\" v=\"yes\"/><tag k=\"height\" v=\"6\"/></way>";
+    ways += "<nd ref=\"" + std::to_string(first) + "\"/><tag k=\"" + key + "\" v=\"" + value +
+            "\"/><tag k=\"height\" v=\"6\"/></way>";
   }
   write_text(path, "<osm version=\"0.6\">" + nodes + ways + "</osm>");
 }
@@ -143,6 +144,25 @@ TEST(City, BuildingsOfTheMapStandWhereTheModelHasNone) {
   bare.build_ground();
   EXPECT_EQ(bare.gaps().buildings, 0u);
   EXPECT_FALSE(bare.inside_footprint()({391035, 5819025}));
+}
+
+TEST(City, ChimneysAndTanksOfTheMapStandWhereTheModelHasNothing) {
+  const TempFolder folder;
+  CityInputs inputs = two_files(folder);
+  {
+    const City model(inputs, folder / "scratch");
+    write_buildings(folder / "map.osm", model.frame(), {{2, 2, 6, 6}, {30, 20, 34, 24}}, "man_made",
+                    "silo");
+  }
+  inputs.maps = {folder / "map.osm"};
+  City city(inputs, folder / "scratch");
+  city.read({}, {});
+  Listener listener;
+  city.build_ground({&listener, nullptr});
+  EXPECT_EQ(listener.ids, (std::vector<std::string>{"way/2"}));
+  EXPECT_EQ(city.gaps().left_out.at("building that the model has"), 1u);
+  EXPECT_NEAR(city.terrain().height_of(terrain::SurfaceClass::roof, {391032, 5819022}).value(), 41,
+              1e-6);
 }
 
 TEST(City, AMapAloneStandsOnAPlaneInItsUtmZone) {

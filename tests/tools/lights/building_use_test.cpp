@@ -53,7 +53,7 @@ TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
                       outline(200, 0, 300, 50, {{"building", "yes"}, {"tourism", "hotel"}}),
                       outline(400, 0, 500, 50, {{"building", "yes"}}),
                       {2, {{600, 0}, {700, 0}, {700, 50}}, {{"building", "retail"}}}},
-                     [](const glm::dvec2& p) { return glm::dvec2(east, north) + p; });
+                     {}, [](const glm::dvec2& p) { return glm::dvec2(east, north) + p; });
   const auto at = [&](double x, double y) { return uses.at({east + x, north + y}); };
   EXPECT_EQ(at(50, 50), BuildingUse::retail);
   EXPECT_EQ(at(15, 15), BuildingUse::office);  // the smaller outline
@@ -74,6 +74,50 @@ TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
                                     "temple", "water_tower", "hangar", "ruins"})
     EXPECT_EQ(use_from_tags({{"building", without_rooms}}), BuildingUse::dark) << without_rooms;
   EXPECT_EQ(use_from_tags({{"building", "static_caravan"}}), BuildingUse::residential);
+}
+
+TEST(BuildingUse, AHouseRoundACourtyardHasTheUseOfItsMultipolygon) {
+  const auto rectangle = [](double x0, double y0, double x1, double y1) {
+    return std::vector<glm::dvec2>{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  };
+  // A block of offices with a gap to the east of its courtyard, in which a shop stands; beyond it
+  // two more rings of the same relation.
+  const osm::MapArea block{
+      "relation/1",
+      {{"building", "office"}, {"type", "multipolygon"}},
+      {{rectangle(0, 0, 100, 100), {rectangle(30, 30, 90, 70)}}, {rectangle(200, 0, 240, 30), {}}}};
+  const osm::MapArea unknown{
+      "relation/2", {{"building", "yes"}}, {{rectangle(300, 0, 340, 30), {}}}};
+  const OsmUses uses(
+      {{1, {{50, 40}, {70, 40}, {70, 60}, {50, 60}, {50, 40}}, {{"building", "retail"}}}},
+      {block, unknown}, [](const glm::dvec2& p) { return glm::dvec2(east, north) + p; });
+  const UseAt map = [&](const glm::dvec2& p) { return uses.at(p); };
+  EXPECT_EQ(uses.at({east + 15, north + 50}), BuildingUse::office);
+  EXPECT_EQ(uses.at({east + 220, north + 15}), BuildingUse::office);
+  EXPECT_EQ(uses.at({east + 60, north + 50}), BuildingUse::retail);
+  EXPECT_FALSE(uses.at({east + 40, north + 50})) << "the courtyard";
+  EXPECT_FALSE(uses.at({east + 320, north + 15}));
+
+  // The middle of the house's box lies in its courtyard, on the shop.
+  city::CityObject house = make_house(0, 0, 100, 100, 20);
+  house.function.clear();
+  for (const glm::dvec2& p : rectangle(30, 30, 90, 70))
+    house.polygons.back().interiors.resize(1),
+        house.polygons.back().interiors[0].emplace_back(east + p.x, north + p.y, ground_z + 20);
+  EXPECT_EQ(use_of(house, map).use, BuildingUse::office);
+  EXPECT_TRUE(use_of(house, map).from_map);
+  city::CityObject shop = make_house(50, 40, 70, 60, 5);
+  shop.function.clear();
+  EXPECT_EQ(use_of(shop, map).use, BuildingUse::retail);
+  city::CityObject other = make_house(75, 40, 85, 60, 5);
+  other.function.clear();
+  EXPECT_FALSE(use_of(other, map).from_map) << "it stands in the courtyard";
+  // An L of two roofs round a neighbour.
+  city::CityObject l_shape = make_house(0, 0, 100, 25, 20);
+  l_shape.function.clear();
+  const city::CityObject wing = make_house(0, 25, 28, 100, 20);
+  for (const city::Polygon& polygon : wing.polygons) l_shape.polygons.push_back(polygon);
+  EXPECT_EQ(use_of(l_shape, map).use, BuildingUse::office);
 }
 
 }  // namespace

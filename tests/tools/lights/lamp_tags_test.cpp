@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/colour.h"
+#include "tools/lights/lit_tag.h"
 
 namespace nightcity::lights {
 namespace {
@@ -172,6 +173,39 @@ TEST(LampTags, ColoursOfLightUnderOtherKeys) {
   const LampTags angled = read_lamp_tags({{"lamp_mount", "angled_mast"}});
   EXPECT_EQ(angled.mount, LampMount::bent_mast);
   EXPECT_TRUE(angled.unread.empty());
+}
+
+// Keys and words of Brazil, Japan, the Netherlands, Poland, India and the United States.
+TEST(LampTags, KeysAndWordsOfSeveralCountries) {
+  for (const char* key :
+       {"lamp:height", "lamp_height", "mounting_height", "light:mounting_height", "pole:height"})
+    EXPECT_FLOAT_EQ(*read_lamp_tags({{key, "30 ft"}}).height_m, 9.144F) << key;
+  for (const char* key : {"light:wattage", "lamp:wattage", "lamp_wattage"})
+    EXPECT_FLOAT_EQ(*read_lamp_tags({{key, "100 W"}}).power_w, 100) << key;
+  for (const osm::OsmTags& tags : {osm::OsmTags{{"light:count", "2 lamps"}},
+                                   {{"lamps", "2"}},
+                                   {{"lamp:count", "2"}},
+                                   {{"light:count", "double"}}})
+    EXPECT_EQ(read_lamp_tags(tags).count, 2);
+  const std::pair<const char*, LampType> types[] = {
+      {"vapor de sódio", LampType::high_pressure_sodium},
+      {"Sodowa", LampType::high_pressure_sodium},
+      {"natriumlamp", LampType::high_pressure_sodium},
+      {"高圧ナトリウムランプ", LampType::high_pressure_sodium},
+      {"HPS 150W", LampType::high_pressure_sodium},
+      {"Sodium Vapour Lamp", LampType::high_pressure_sodium},
+      {"lampa sodowa", LampType::high_pressure_sodium},
+      {"lâmpada de sódio", LampType::high_pressure_sodium},
+      {"LED 4000K", LampType::led},
+      {"水銀灯", LampType::mercury},
+      {"rtęciowa", LampType::mercury},
+      {"vapor metálico", LampType::metal_halide},
+      {"蛍光灯", LampType::fluorescent}};
+  for (const auto& [word, type] : types) EXPECT_EQ(parse_lamp_type(word), type) << word;
+  EXPECT_FALSE(parse_lamp_type("Lampe 7"));
+  EXPECT_EQ(read_lit_tag("yes (LED)", Half::north).kind, LitTag::Kind::lit);
+  for (const char* no : {"não", "nie", "nee", "nein", "unlit", "no (broken)"})
+    EXPECT_EQ(read_lit_tag(no, Half::north).kind, LitTag::Kind::dark) << no;
 }
 
 }  // namespace

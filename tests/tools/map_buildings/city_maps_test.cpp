@@ -58,6 +58,22 @@ TEST(CityMaps, CitiesOfTheSameFilesShareNothing) {
   EXPECT_EQ(one.read(100).at(0)->areas.at(0).tags.at("building"), "school");
 }
 
+TEST(CityMaps, TheOnlyMapIsGivenAwayOnceAndReadAnewThen) {
+  const TempFolder folder;
+  write_text(folder / "a.osm", write_house("school"));
+  CityMaps maps({folder / "a.osm"});
+  const auto find_kind = [](const osm::MapAreas& areas) {
+    return areas.areas.at(0).tags.at("building");
+  };
+  const auto looked_at = maps.read(100).at(0);
+  write_text(folder / "a.osm", write_house("church"));
+  EXPECT_EQ(find_kind(maps.take_only(100)), "school") << "as it was read before";
+  EXPECT_EQ(find_kind(*looked_at), "school") << "who looks at it keeps it";
+  EXPECT_EQ(find_kind(maps.take_only(100)), "church");
+  maps.read(100);
+  EXPECT_EQ(maps.take_only(3).too_long, 1u);
+}
+
 TEST(CityMaps, WhatTheyKeepGoesWithThem) {
   const TempFolder folder;
   write_text(folder / "a.osm", write_house("school"));

@@ -18,6 +18,7 @@
 
 #include "formats/error.h"
 #include "tests/tools/citygml/temporary_file.h"
+#include "tests/tools/map_buildings/metre_map.h"
 #include "tools/city/ring.h"
 #include "tools/map_buildings/building_tags.h"
 #include "tools/map_buildings/file_buildings.h"
@@ -25,111 +26,7 @@
 namespace nightcity::map_buildings {
 namespace {
 
-using test::TemporaryFile;
-
-// At the equator, of longitude and of latitude, on the ellipsoid of WGS 84.
-constexpr double lon_m = 111'319.49, lat_m = 110'574.28;
-// Maps hold 1e-7 degrees, a centimetre.
-constexpr double rounding = 0.005;  // relative
-
-// Places in metres near longitude 10 on the equator.
-class Map {
- public:
-  // Returns the id of a closed way round a rectangle.
-  int add_rectangle(double x, double y, double width, double height, const std::string& tags) {
-    const int first = next_;
-    const double corners[4][2] = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
-    for (const auto& corner : corners)
-      nodes_ += "<node id=\"" + std::to_string(next_++) + "\" version=\"1\" lat=\"" +
-                write(corner[1] / lat_m) + "\" lon=\"" + write(10 + corner[0] / lon_m) + "\"/>\n";
-    const int way = next_++;
-    ways_ += "<way id=\"" + std::to_string(way) + "\" version=\"1\">";
-    for (const int k : {0, 1, 2, 3, 0}) ways_ += "<nd ref=\"" + std::to_string(first + k) + "\"/>";
-    ways_ += tags_of(tags) + "</way>\n";
-    return way;
-  }
-  void add_point(double x, double y, const std::string& tags) {
-    nodes_ += "<node id=\"" + std::to_string(next_++) + "\" version=\"1\" lat=\"" +
-              write(y / lat_m) + "\" lon=\"" + write(10 + x / lon_m) + "\">" + tags_of(tags) +
-              "</node>\n";
-  }
-  void add_building_relation(int outline, int part, const std::string& tags) {
-    relations_ += "<relation id=\"" + std::to_string(next_++) +
-                  "\" version=\"1\"><member type=\"way\" ref=\"" + std::to_string(outline) +
-                  "\" role=\"outline\"/><member type=\"way\" ref=\"" + std::to_string(part) +
-                  "\" role=\"part\"/><tag k=\"type\" v=\"building\"/>" + tags_of(tags) +
-                  "</relation>\n";
-  }
-  void add_multipolygon(int outer, int inner, const std::string& tags) {
-    relations_ += "<relation id=\"" + std::to_string(next_++) +
-                  "\" version=\"1\"><member type=\"way\" ref=\"" + std::to_string(outer) +
-                  "\" role=\"outer\"/><member type=\"way\" ref=\"" + std::to_string(inner) +
-                  "\" role=\"inner\"/><tag k=\"type\" v=\"multipolygon\"/>" + tags_of(tags) +
-                  "</relation>\n";
-  }
-  std::string text() const {
-    return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + nodes_ + ways_ + relations_ +
-           "</osm>\n";
-  }
-  // Ways before the nodes that they name, as some programs write.
-  std::string text_in_no_order() const {
-    return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + relations_ + ways_ + nodes_ +
-           "</osm>\n";
-  }
-
- private:
-  static std::string write(double degrees) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.7f", degrees);
-    return text;
-  }
-  // "building=yes,height=9"
-  static std::string tags_of(const std::string& list) {
-    std::string out;
-    for (std::size_t begin = 0; begin < list.size();) {
-      const std::size_t end = std::min(list.find(',', begin), list.size());
-      const std::string one = list.substr(begin, end - begin);
-      const std::size_t equals = one.find('=');
-      out += "<tag k=\"" + one.substr(0, equals) + "\" v=\"" + one.substr(equals + 1) + "\"/>";
-      begin = end + 1;
-    }
-    return out;
-  }
-  int next_ = 1;
-  std::string nodes_, ways_, relations_;
-};
-
-struct Read {
-  std::vector<city::CityObject> objects;
-  city::ReadReport report;
-};
-
-Read read(const Map& map) {
-  const TemporaryFile file(map.text(), ".osm");
-  Read result;
-  city::ObjectSink sink = [&](city::CityObject&& o) { result.objects.push_back(std::move(o)); };
-  result.report = read_map_buildings(file.path(), {}, city::deliver_to(sink));
-  return result;
-}
-
-double volume(const city::CityObject& object) {
-  const auto to_metres = [](city::Ring ring) {
-    for (glm::dvec3& p : ring) p = {(p.x - 10) * lon_m, p.y * lat_m, p.z};
-    return ring;
-  };
-  double sum = 0;
-  for (const city::Polygon& polygon : object.polygons) {
-    const city::Ring ring = to_metres(polygon.exterior);
-    glm::dvec3 vector = city::area_vector(ring);
-    for (const city::Ring& hole : polygon.interiors) vector += city::area_vector(to_metres(hole));
-    sum += glm::dot(vector, ring.front()) / 3;
-  }
-  return sum;
-}
-
-void expect_near(double value, double expected) {
-  EXPECT_NEAR(value, expected, rounding * expected);
-}
+using namespace test;
 
 TEST(MapBuildings, HeightsComeFromTagsInTheirOrder) {
   const auto volume_of = [](const std::string& tags) {
@@ -181,6 +78,21 @@ TEST(MapBuildings, LevelsAndHeightsAreReadAsPeopleWriteThem) {
   expect_near(height_of("height=11,est_height=12"), 11);
 }
 
+TEST(MapBuildings, LevelsAreReadAsSeveralCountriesWriteThem) {
+  const std::pair<const char*, int> cases[] = {
+      {"3F", 3},        {"5階建て", 5},       {"地上5階", 5},      {"地上3階地下1階", 3},
+      {"2 andares", 2}, {"térreo", 1},        {"2 pavimentos", 2}, {"G+4", 5},
+      {"G + 3", 4},     {"S+4", 5},           {"B+G+4", 5},        {"2B+G+4", 5},
+      {"Stilt+4", 5},   {"g+1", 2},           {"parter", 1},       {"parter + 2", 3},
+      {"P + 2", 3},     {"5 kondygnacji", 5}, {"3 bouwlagen", 3},  {"2-story", 2}};
+  for (const auto& [levels, expected] : cases) {
+    city::SkipCounter notes;
+    EXPECT_EQ(find_sizes({{"building", "yes"}, {"building:levels", levels}}, notes).storeys,
+              expected)
+        << levels;
+  }
+}
+
 TEST(MapBuildings, WordsBehindACountOfLevelsAreTold) {
   Map map;
   map.add_rectangle(0, 0, 10, 6, "building=yes,building:levels=3 + attic");
@@ -214,9 +126,9 @@ TEST(MapBuildings, BuildingsThatArePointsAreCounted) {
   map.add_point(50, 0, "natural=tree");
   const Read result = read(map);
   EXPECT_EQ(result.objects.size(), 1u);
-  EXPECT_EQ(
-      result.report.skipped.at("building, tower or tank mapped as a point, without an outline"),
-      1u);
+  EXPECT_EQ(result.report.skipped.at(
+                "building, tower or tank mapped as a point, without an outline or its sizes"),
+            1u);
 }
 
 TEST(MapBuildings, ASpireIsRoofFromItsFootToItsTop) {
@@ -820,22 +732,6 @@ TEST(MapBuildings, PartsOfABuildingThatTheMapHasTwiceBelongToTheOne) {
   const Read result = read(map);
   ASSERT_EQ(result.objects.size(), 1u);
   expect_near(volume(result.objects[0]) / 30, 9);
-}
-
-TEST(MapBuildings, TowersAndTanksThatAreNoBuildingsAreCounted) {
-  Map map;
-  map.add_rectangle(0, 0, 10, 6, "building=yes,height=9");
-  map.add_rectangle(20, 0, 4, 4, "man_made=chimney,height=80");
-  map.add_rectangle(30, 0, 4, 4, "man_made=storage_tank");
-  map.add_rectangle(40, 0, 4, 4, "man_made=storage_tank,building=yes,height=5");
-  map.add_rectangle(50, 0, 4, 4, "man_made=pier");
-  map.add_point(60, 0, "man_made=mast,tower:type=lighting");
-  const Read result = read(map);
-  EXPECT_EQ(result.objects.size(), 2u);
-  const std::map<std::string, std::size_t> expected{
-      {"man_made=chimney without building=*, not drawn", 1},
-      {"man_made=storage_tank without building=*, not drawn", 1}};
-  EXPECT_EQ(result.report.skipped, expected);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(LampsCommand, SaysHowManyNodesHaveNoPlace) {
 <node id="2" lat="91" lon="13.3941"><tag k="highway" v="street_lamp"/></node>
 <node id="3" lat="52,5" lon="13,4"><tag k="highway" v="street_lamp"/></node>
 <node id="4"><tag k="highway" v="street_lamp"/></node>
-<relation id="5"><member type="node" ref="1" role=""/><tag k="highway" v="street_lamp"/></relation>
+<relation id="5"><member type="node" ref="9" role=""/><tag k="highway" v="street_lamp"/></relation>
 </osm>)");
   const Outcome outcome = nightbake("lamps " + quoted(folder / "map.osm") + "--json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

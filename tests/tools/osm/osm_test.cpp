@@ -130,12 +130,12 @@ TEST_F(OsmFile, WhatAMapHasTwiceInOnePlaceIsReadOnce) {
   EXPECT_EQ(trees.trees[0].tags.at("height"), "9");
 }
 
-TEST_F(OsmFile, LampsThatAreRelationsAndLinesOfRoofsAreCounted) {
+TEST_F(OsmFile, LampsOfRelationsWithoutMembersAndLinesOfRoofsAreCounted) {
   const OsmData data = read(
       "<node id='1' lat='1' lon='1'/><node id='2' lat='1.1' lon='1'/>"
       "<way id='3'><nd ref='1'/><nd ref='2'/><tag k='roof:ridge' v='yes'/></way>"
       "<way id='4'><nd ref='1'/><nd ref='2'/><tag k='roof:edge' v='yes'/></way>"
-      "<relation id='5'><member type='node' ref='1' role=''/><tag k='highway' v='street_lamp'/>"
+      "<relation id='5'><member type='node' ref='9' role=''/><tag k='highway' v='street_lamp'/>"
       "</relation>");
   EXPECT_EQ(data.roof_lines, 2u);
   EXPECT_EQ(data.lamp_relations, 1u);

@@ -131,5 +131,20 @@ TEST(TagValues, UnitsOfOtherLanguagesAndRemarks) {
   EXPECT_EQ(parse_watts("36 Вт"), 36);
 }
 
+TEST(TagValues, RangesWithUnitsThousandsOfFeetAndWordsForAbout) {
+  const struct {
+    const char* text;
+    double metres;
+  } cases[] = {
+      {"3.5m-4m", 3.75},         {"3.0m～5.5m", 4.25}, {"3〜5 m", 4},        {"3.0 m - 5 m", 4},
+      {"10 ft - 12 ft", 3.3528}, {"12'-6\"", 3.81},    {"1,200 ft", 365.76}, {"1,200'", 365.76},
+      {"1,200 m", 1.2},          {"1,20 ft", 0.36576}, {"6 to 8 m", 7},      {"6 a 8 m", 7},
+      {"22 to 26 ft", 7.3152},   {"W=6.0m", 6},        {"約12m", 12},        {"aprox. 12 m", 12},
+      {"cerca de 12 m", 12},     {"około 12 m", 12}};
+  for (const auto& [text, metres] : cases)
+    EXPECT_NEAR(parse_length_m(text).value_or(-1), metres, 1e-9) << text;
+  EXPECT_FALSE(parse_length_m("3 m - x"));
+}
+
 }  // namespace
 }  // namespace nightcity::osm

@@ -132,6 +132,11 @@ TEST(Carriageway, WidthsUnderOtherKeysAreRead) {
         << text;
 }
 
+TEST(Carriageway, RangesOfTheMapOfJapanAreTheLastToCount) {
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"yh:WIDTH", "5.5m～13.0m"}}), 9.25);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"yh:WIDTH", "5.5m～13.0m"}, {"width", "6"}}), 6);
+}
+
 // OSM wiki, "Key:lanes": lanes for both directions count, and turns are listed lane by lane.
 TEST(Carriageway, LanesAreCountedUnderEveryKey) {
   EXPECT_DOUBLE_EQ(

@@ -5,6 +5,7 @@
 
 #include "support/pack_zip.h"
 #include "support/temp_folder.h"
+#include "tools/cityjson/small_cityjson.h"
 #include "tools/nightbake/sample_city.h"
 #include "tools/survey/survey.h"
 
@@ -62,19 +63,50 @@ TEST(Deliveries, TextsAreTablesOrHeightsOrWordsForAReader) {
   EXPECT_EQ(look_at(folder, "readme.txt").use, Use::companion);
 }
 
-TEST(Deliveries, AnArchiveSaysWhatElseItHolds) {
+TEST(Deliveries, AnArchiveHasEachUseOfItsContents) {
   const TempFolder folder;
-  test::pack_zip(folder / "all.zip", {{"a.gml", test::sample_gml()},
-                                      {"streets/m.osm", map_of_a_lamp},
-                                      {"lamps.csv", "lon,lat\n13.3941,52.5101\n"},
-                                      {"terms.pdf", "%PDF"}});
-  const SurveyedFile file = look_at(folder, "all.zip");
-  EXPECT_EQ(file.use, Use::city);
-  EXPECT_NE(file.what.find("unpack it for what else it holds: m.osm (OSM), 1 .csv"),
-            std::string::npos)
-      << file.what;
-  test::pack_zip(folder / "all.zip", {{"a.gml", test::sample_gml()}, {"terms.pdf", "%PDF"}});
-  EXPECT_EQ(look_at(folder, "all.zip").what.find("unpack"), std::string::npos);
+  const auto look = [&](const std::vector<std::pair<std::string, std::string>>& entries) {
+    test::pack_zip(folder / "all.zip", entries);
+    std::string uses, what;
+    for (const SurveyedFile& file : survey_files({folder / "all.zip"})) {
+      EXPECT_EQ(file.path, folder / "all.zip");
+      uses += file.use == Use::city        ? "city "
+              : file.use == Use::map       ? "map "
+              : file.use == Use::elevation ? "elevation "
+              : file.use == Use::inventory ? "inventory "
+                                           : "nothing ";
+      what += file.what;
+    }
+    return std::pair(uses, what);
+  };
+  const std::pair<std::string, std::string> model{"a.gml", test::sample_gml()},
+      map{"streets/m.osm", map_of_a_lamp},
+      lamps{"lamps.csv", "lamp_id,lon,lat\n1,13.3941,52.5101\n"},
+      trees{"trees.csv", "species,lon,lat\nTilia,13.3941,52.5101\n"},
+      heights{"dem/h.asc",
+              "ncols 2\nnrows 2\nxllcorner 391000\nyllcorner 5819000\ncellsize 50\n35 35\n35 35\n"},
+      words{"terms.pdf", "%PDF"}, light{"l.ies", "IESNA:LM-63-1995"};
+  EXPECT_EQ(look({model, map}).first, "city map ");
+  EXPECT_EQ(look({model, map, lamps, heights, words}).first, "city map elevation inventory ");
+  EXPECT_EQ(look({model, lamps}).first, "city inventory ");
+  EXPECT_EQ(look({map, heights}).first, "map elevation ");
+  EXPECT_EQ(look({heights, lamps}).first, "elevation inventory ");
+  // A city model in JSON is no second table.
+  const std::pair<std::string, std::string> cityjson{
+      "b.json", test::city_json(test::object("a", "Building", test::solid()))},
+      points{"lamps.json",
+             "[{\"lamp_id\":1,\"lon\":13.3941,\"lat\":52.5101},{\"lamp_id\":2,\"lon\":13.3942,"
+             "\"lat\":52.5102}]"};
+  EXPECT_EQ(look({cityjson, lamps}).first, "city inventory ");
+  EXPECT_EQ(look({cityjson, points}).first, "city inventory ");
+  EXPECT_EQ(look({model, words}).first, "city ");
+  EXPECT_EQ(look({model, trees}).first, "city ");
+  for (const auto& all : {look({model, map, lamps, heights, words}), look({model, words})})
+    EXPECT_EQ(all.second.find("unpack"), std::string::npos) << all.second;
+  EXPECT_NE(look({model, map, trees}).second.find("unpack it for what else it holds: 1 .csv"),
+            std::string::npos);
+  EXPECT_NE(look({model, trees, light}).second.find("unpack it for what else it holds: 1 .csv"),
+            std::string::npos);
 }
 
 TEST(Deliveries, LightsThatWereExportedAndTrafficLightsAreNoInventory) {
@@ -107,8 +139,9 @@ TEST(Deliveries, AFileIsTakenOnceAndByANameThatARecipeCanHold) {
   const TempFolder folder;
   write_text(folder / "map.osm", map_of_a_lamp);
   EXPECT_EQ(survey_files({folder.path(), folder / "map.osm", folder / "x/../map.osm"}).size(), 1u);
-  write_text(folder / "stra\xDF"
-                      "e.osm",
+  write_text(folder /
+                 "stra\xDF"
+                 "e.osm",
              map_of_a_lamp);
   const auto files = survey_files({folder.path()});
   ASSERT_EQ(files.size(), 2u);

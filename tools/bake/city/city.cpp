@@ -74,7 +74,7 @@ void City::note_left_out() const {
                               std::to_string(osm::max_streets_at_node) +
                               " may go through one place");
   note(map_.repeated, "elements left out: the map has them twice in one place");
-  note(map_.lamp_relations, "lamps left out: they are relations; make each a node");
+  note(map_.lamp_relations, "lamps left out: they are relations whose members the map lacks");
   note(map_.roof_lines, "ways of roofs not read (roof:ridge, roof:edge)");
 }
 

@@ -15,6 +15,7 @@
 #include "tools/georeference/frame.h"
 #include "tools/inventory/inventory.h"
 #include "tools/osm/osm_data.h"
+#include "tools/osm/split_maps.h"
 #include "tools/streets/chordal_axis.h"
 
 namespace nightcity::bake {
@@ -26,6 +27,7 @@ struct CityInputs {
   std::filesystem::path recipe;              // that names the files; empty: they were given alone
   std::vector<std::filesystem::path> files;  // city models; empty: a map without one
   std::vector<std::filesystem::path> maps;   // OpenStreetMap
+  osm::JoinedMaps joined_maps;  // stands in place of `maps`, where each needs the others
   int max_way_nodes = static_cast<int>(osm::default_max_way_nodes);
   city::ReadOptions read;  // of the CityGML
   georeference::CityFrame::Options frame;

@@ -4,7 +4,9 @@
 #include <glm/common.hpp>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/city_frames.h"
 #include "tools/bake/city/city_inputs.h"
 #include "tools/inputs/read_city.h"
@@ -36,8 +38,9 @@ CitySurvey survey_city(const CityInputs& inputs) {
   survey.heads = CityFrames::read_heads(inputs);
   for (const auto& file : inputs.files) survey.sizes.push_back(std::filesystem::file_size(file));
   if (inputs.bounds) survey.extent = find_extent(inputs);
-  survey.map_buildings =
-      osm::read_osm(inputs.maps, static_cast<std::size_t>(inputs.max_way_nodes)).buildings;
+  osm::OsmData map = osm::read_osm(inputs.maps, static_cast<std::size_t>(inputs.max_way_nodes));
+  survey.map_multipolygons = read_building_multipolygons(inputs, map);
+  survey.map_buildings = std::move(map.buildings);
   const std::uint64_t all =
       std::accumulate(survey.sizes.begin(), survey.sizes.end(), std::uint64_t{0});
   survey.cuts.resize(inputs.files.size());

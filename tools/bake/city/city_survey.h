@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/city/city_reader.h"
+#include "tools/osm/map_areas.h"
 #include "tools/osm/osm_data.h"
 
 namespace nightcity::bake {
@@ -24,12 +25,14 @@ struct CitySurvey {
   std::vector<std::uint64_t> sizes;                 // bytes
   std::vector<std::optional<city::FileCuts>> cuts;  // of those that may be cut into pieces
   std::optional<PlanExtent> extent;                 // where the inputs have bounds
-  std::vector<osm::OsmWay> map_buildings;  // of the map: they say what buildings are used for
+  // Buildings of the map, which say what buildings are used for.
+  std::vector<osm::OsmWay> map_buildings;
+  std::vector<osm::MapArea> map_multipolygons;
 
   /// Passes each field to an archive (tools/archive.h).
   template <class Archive>
   void visit(Archive& archive) {
-    archive(heads, sizes, cuts, extent, map_buildings);
+    archive(heads, sizes, cuts, extent, map_buildings, map_multipolygons);
   }
 };
 

@@ -32,7 +32,8 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                  "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz, .osm.bz2 or JSON as Overpass "
                  "answers, or packed otherwise (docs/recipe.md, Packed files): the only map in an "
                  "archive. Paths are relative to the recipe. Several extracts are merged; an "
-                 "object that is in more than one is taken in its newest version."),
+                 "object that is in more than one is taken in its newest version. Nodes, ways and "
+                 "relations may lie in files of their own."),
        flag_key("buildings", osm.buildings,
                 "Without `[city] files`, the map's buildings are the city model: `building`, "
                 "`building:part`, `height`, `est_height`, `min_height`, `building:levels`, "
@@ -42,7 +43,10 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                 "`roof:height`, `roof:angle`, `roof:levels`, `roof:direction`, "
                 "`roof:orientation`. They stand on `[terrain] dem`, each on the lowest ground "
                 "below it, or on a plane at height 0. Levels are 3 m; buildings without any "
-                "height get the levels of their kind, and are counted as assumed."),
+                "height get the levels of their kind, and are counted as assumed. "
+                "Chimneys, silos, tanks, gasometers, water towers and other towers "
+                "(`man_made`) that no `building` stands for are drawn too, without windows; of "
+                "points those with `height` and `diameter` or `width`, round."),
        flag_key("colours", osm.colours,
                 "Walls and roofs of the map's buildings have the colours that `building:colour`, "
                 "`roof:colour`, `building:material` and `roof:material` say. White reflects "
