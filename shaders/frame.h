@@ -114,6 +114,8 @@ struct Frame {
   uint neighbours;
   float neighbour_radius;  // pixels
   float max_history;       // the history's M is at most this many times the candidates' M
+  // Frames that are in the mean of a picture at rest before this one; 0 in any other picture.
+  uint frames_at_rest;
   // The history's M fades with the squared distance to where it was gathered, 1/m^2; 0 = never.
   float history_falloff;
   // Neighbours of a pixel without history, where that is more than `neighbours`.

@@ -4,6 +4,7 @@
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
+#include "shaders/camera.glsl"
 #include "shaders/trace.glsl"
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
@@ -12,6 +13,22 @@
 #include "shaders/similar.glsl"
 #include "shaders/history.glsl"
 #include "shaders/reuse.glsl"
+
+// A long history makes a frame better and the frames of a mean alike. Where a pixel spans more than
+// NEAR_SPAN, m, its partners lie under other lamps, and history adds less to a frame than it takes
+// from the mean. So from RESTED_FRAMES on it is shorter there, down to FAR_HISTORY.
+const uint RESTED_FRAMES = 4u;
+const float NEAR_SPAN = 0.15;
+const float FAR_HISTORY = 5.0;
+
+// Returns the history's greatest M for a pixel, in multiples of the candidates' M. It depends on
+// geometry and on the number of frames alone, as weights may (docs/estimator.md, condition 2).
+float longest_history(Surface surface) {
+  if (!has_shadowed_target(ESTIMATOR) || FRAME.frames_at_rest < RESTED_FRAMES)
+    return FRAME.max_history;
+  const float span = surface.depth * pixel_spread();
+  return min(FRAME.max_history, max(FAR_HISTORY, FRAME.max_history * NEAR_SPAN / span));
+}
 
 void main() {
   uvec2 pixel;
@@ -25,7 +42,7 @@ void main() {
   const Reservoir canonical = FRAME.reservoirs.at[index];
   const Surface surface_before = FRAME.previous_surfaces.at[before];
   // The cap makes old samples fade: without it the history would outvote every new candidate.
-  history.M = min(history.M, FRAME.max_history * canonical.M);
+  history.M = min(history.M, longest_history(surface) * canonical.M);
   history.M *= history_confidence(surface, surface_before);
   if (history.M <= 0.0) return;
 

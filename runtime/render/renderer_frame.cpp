@@ -82,6 +82,7 @@ void Renderer::fill_view(gpu::Frame& frame) {
   frame.jitter_y = jitter.y;
   frame.reset = next_.frames == 0;
   frame.window = settings.averaging.accumulate ? settings.averaging.window : 0;
+  frame.frames_at_rest = frame.window == 0 ? next_.frames : 0;
   fill_display(frame, settings.display);
   frame.bounces = settings.indirect.bounces;
   frame.reference_paths = reference_paths(frame.scene.light_count);

@@ -42,6 +42,7 @@ void visit_lines(const std::string& path, const Take& take) {
       rest.remove_prefix(end + 1);
     }
     pending.erase(0, pending.size() - rest.size());
+    if (pending.size() > piece) return;  // no table has a line as long
   }
   take(std::string_view(pending));
 }

@@ -207,9 +207,9 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
               1e-4f * a.rgb[i] * b.rgb[i + 1];
     return same < a.pixels() / 2;
   };
-  expect_guarded(
-      lamps_change,
-      {{"temporal.comp", "history.M = min(history.M, FRAME.max_history * canonical.M);", ""}});
+  expect_guarded(lamps_change,
+                 {{"temporal.comp",
+                   "history.M = min(history.M, longest_history(surface) * canonical.M);", ""}});
 }
 
 // One lamp over a checkerboard of steps: a neighbour on another step is not similar and must not
