@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
+#include "tools/city/length_unit.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::osm {
@@ -43,58 +43,8 @@ string_view drop_remark(string_view unit) {
 constexpr double foot_m = 0.3048, inch_m = 0.0254;
 
 std::optional<double> find_metres_per(string_view unit) {
-  static const std::unordered_map<string_view, double> table{
-      {"", 1},
-      {"m", 1},
-      {"mt", 1},
-      {"mts", 1},
-      {"mtr", 1},
-      {"mtrs", 1},
-      {"meter", 1},
-      {"meters", 1},
-      {"metre", 1},
-      {"metres", 1},
-      {"metro", 1},
-      {"metros", 1},
-      {"metri", 1},
-      {"mètre", 1},
-      {"mètres", 1},
-      {"méter", 1},
-      {"metr", 1},
-      {"metry", 1},
-      {"metrów", 1},
-      {"метр", 1},
-      {"метра", 1},
-      {"метров", 1},
-      {"метри", 1},
-      {"метрів", 1},
-      {"米", 1},
-      {"公尺", 1},
-      {"メートル", 1},
-      {"미터", 1},
-      {"م", 1},
-      {"متر", 1},
-      {"\xd0\xbc", 1},  // Cyrillic, small and capital
-      {"\xd0\x9c", 1},
-      {"cm", 0.01},
-      {"mm", 0.001},
-      {"dm", 0.1},
-      {"km", 1000},
-      {"ft", foot_m},
-      {"foot", foot_m},
-      {"feet", foot_m},
-      {"'", foot_m},
-      {"in", inch_m},
-      {"inch", inch_m},
-      {"inches", inch_m},
-      {"\"", inch_m},
-      {"''", inch_m},
-      {"yd", 3 * foot_m},
-      {"yard", 3 * foot_m},
-      {"yards", 3 * foot_m}};
   if (unit.ends_with('.')) unit.remove_suffix(1);
-  const auto found = table.find(unit);
-  return found == table.end() ? std::nullopt : std::optional(found->second);
+  return city::find_metres_per_word(unit);
 }
 
 // Reads the inches of "12'6\"" and "12 ft 6 in" behind the number of feet.
