@@ -181,6 +181,47 @@ TEST(Pairs, APixelShowsTheColoursOfAllSamplesThatItCombines) {
   EXPECT_NEAR(mixed_share(1), 0.5, 0.06);
 }
 
+// Of a red and a blue lamp as above, a pixel keeps one for some frames, so that its share of red in
+// a mean varies from pixel to pixel. A frame with a history of h frames keeps that sample with the
+// chance (h / (1 + h))^2, the pairwise weight of a history whose targets are its own, and two frames
+// are alike where none between them took another. From the fifth frame of a picture at rest on, h
+// is at most 5 where pixels span much.
+TEST(History, IsShorterInMeansOfLargePixels) {
+  constexpr int frames = 40;
+  const auto expected_spread = [](double longest_at_rest) {
+    double variance = 0;
+    for (int i = 0; i < frames; ++i) {
+      double alike = 1;
+      for (int k = i; k < frames; ++k) {
+        const double history = std::min<double>(k, k < 4 ? 20 : longest_at_rest);
+        if (k > i) alike *= std::pow(history / (1 + history), 2);
+        variance += (k > i ? 2 : 1) * alike / 4 / (frames * frames);
+      }
+    }
+    return std::sqrt(variance);
+  };
+  Light red = lamp({0, 2000, 0}, 5e8f), blue = red;
+  red.colour_rgb9e5 = encode_rgb9e5({1 / 0.2126f, 0, 0});
+  blue.colour_rgb9e5 = encode_rgb9e5({0, 0, 1 / 0.0722f});
+  render::DeviceScene scene(test_device(), SceneBuilder().ground(50).with({red, blue}));
+  const auto measure_spread = [&](float height_m) {
+    render::RenderSettings settings = with_estimator(render::Estimator::traced, 1, 5, 20);
+    settings.reuse.neighbours = 0;
+    render::Renderer renderer(test_device(), test_passes(), scene, 64, 64);
+    const scene::CameraPose above{{0, height_m, 0}, {0, 0, 0}, {0, 0, -1}, 40};
+    for (int i = 0; i < frames; ++i) renderer.render_frame(above, settings);
+    const measure::Image image = renderer.download();
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+      const double r = 0.2126 * double(image.rgb[3 * i]), b = 0.0722 * double(image.rgb[3 * i + 2]);
+      sum += (r / (r + b) - 0.5) * (r / (r + b) - 0.5);
+    }
+    return std::sqrt(sum / double(image.pixels()));
+  };
+  EXPECT_NEAR(measure_spread(6), expected_spread(20), 0.02);  // 0.07 m a pixel
+  EXPECT_NEAR(measure_spread(60), expected_spread(5), 0.02);  // 0.7 m a pixel
+}
+
 TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
   render::RenderSettings settings;
   settings.sampling.near_share = 0.7f;
