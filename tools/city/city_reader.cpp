@@ -35,6 +35,15 @@ void tell_odd_heights(const std::filesystem::path& file, ReadReport& report) {
       "name one with that unit in [city] crs, or convert the file");
 }
 
+void tell_pictures(const std::filesystem::path& file, ReadReport& report) {
+  if (report.coloured_by_pictures == 0) return;
+  std::string text = file.string() + ": " + std::to_string(report.coloured_by_pictures) +
+                     " surfaces have the mean colour of their pictures";
+  if (report.laid_out_pictures > 0)
+    text += "; on " + std::to_string(report.laid_out_pictures) + " polygons they are laid out";
+  report.warnings.push_back(std::move(text));
+}
+
 void make_texts_valid(ReadReport& report) {
   report.srs_name = to_valid_utf8(std::move(report.srs_name));
   for (std::string& warning : report.warnings) warning = to_valid_utf8(std::move(warning));
@@ -48,6 +57,7 @@ void make_texts_valid(ReadReport& report) {
 void finish_report(const std::filesystem::path& file, ReadReport& report) {
   tell_flat_buildings(file, report);
   tell_odd_heights(file, report);
+  tell_pictures(file, report);
   make_texts_valid(report);
 }
 
@@ -61,6 +71,8 @@ void ReadReport::merge(const ReadReport& other) {
   as_measured += other.as_measured;
   above_measured += other.above_measured;
   below_measured += other.below_measured;
+  coloured_by_pictures += other.coloured_by_pictures;
+  laid_out_pictures += other.laid_out_pictures;
   if (needs_whole_file.empty()) needs_whole_file = other.needs_whole_file;
   for (const auto& [name, count] : other.skipped) skipped[name] += count;
   for (const auto& [name, count] : other.assumed) assumed[name] += count;

@@ -38,6 +38,8 @@ struct ReadReport {
   /// Buildings with a shape and a measured height: those as high as that, roughly, those several
   /// times as high, and those of a fraction of it.
   std::size_t as_measured = 0, above_measured = 0, below_measured = 0;
+  /// Surfaces that have the mean colour of their picture, and polygons on which pictures lie.
+  std::size_t coloured_by_pictures = 0, laid_out_pictures = 0;
   /// Why a piece of a file cannot be read without the rest of it; "" = it can.
   std::string needs_whole_file;
 
@@ -47,13 +49,14 @@ struct ReadReport {
   template <class Archive>
   void visit(Archive& archive) {
     archive(version, srs_name, objects, polygons, skipped, assumed, passed_over, warnings, extruded,
-            flat, as_measured, above_measured, below_measured, needs_whole_file);
+            flat, as_measured, above_measured, below_measured, coloured_by_pictures,
+            laid_out_pictures, needs_whole_file);
   }
 };
 
-/// Adds warnings for the file's buildings that were published as footprints, and for heights that
-/// contradict the measured ones, and makes all texts valid UTF-8. To be called once the whole file
-/// has been read, and not for each of its pieces.
+/// Adds warnings for the file's buildings that were published as footprints, for heights that
+/// contradict the measured ones and for pictures, and makes all texts valid UTF-8. To be called
+/// once the whole file has been read, and not for each of its pieces.
 void finish_report(const std::filesystem::path& file, ReadReport& report);
 
 /// The parser of CityGML. Both deliver the same model; the second is a second opinion.

@@ -170,8 +170,6 @@ std::shared_ptr<const Picture> PictureColours::find_picture(std::string_view uri
   }
   if (!read) return {};
   auto picture = std::make_shared<const Picture>(std::move(*read));
-  ++pictures_;
-  pixels_ += picture->count_pixels();
   const std::lock_guard lock(mutex_);
   recent_.add(*file, picture->count_pixels(), picture);
   return picture;

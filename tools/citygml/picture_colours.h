@@ -46,9 +46,6 @@ class PictureColours {
   std::shared_ptr<const Picture> find_picture(std::uint32_t number);
   void count_laid_out() { ++laid_out_; }
   std::size_t laid_out() const { return laid_out_; }  // polygons that have their picture
-
-  std::size_t pictures() const { return pictures_; }  // unpacked; again, where not kept meanwhile
-  std::int64_t pixels() const { return pixels_; }
   std::size_t surfaces() const { return surfaces_; }
 
  private:
@@ -62,8 +59,7 @@ class PictureColours {
   RecentPictures<std::shared_ptr<const Picture>> recent_;
   std::vector<std::string> uris_;
   std::unordered_map<std::string, std::uint32_t> numbers_;  // of uris_
-  std::atomic<std::size_t> pictures_{0}, surfaces_{0}, laid_out_{0};
-  std::atomic<std::int64_t> pixels_{0};
+  std::atomic<std::size_t> surfaces_{0}, laid_out_{0};
 };
 
 /// The texture on all rings of a polygon, put together ring by ring.

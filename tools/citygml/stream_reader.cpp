@@ -93,14 +93,10 @@ class StreamReader {
   city::ReadReport&& finish() {
     if (!missing_.empty() && (!options_.piece || options_.piece->is_first()))
       report_.warnings.push_back(document_.name + ": " + missing_);
-    if (pictures_)
-      report_.warnings.push_back(
-          document_.name + ": " + std::to_string(pictures_->pictures()) + " pictures (" +
-          std::to_string(pictures_->pixels() / 1'000'000) + " megapixels) give " +
-          std::to_string(pictures_->surfaces()) + " surfaces their mean colour" +
-          (pictures_->keeps_pictures()
-               ? "; on " + std::to_string(pictures_->laid_out()) + " polygons they are laid out"
-               : ""));
+    if (pictures_) {
+      report_.coloured_by_pictures = pictures_->surfaces();
+      report_.laid_out_pictures = pictures_->laid_out();
+    }
     return std::move(report_);
   }
 

@@ -105,7 +105,8 @@ TEST(Deliveries, AnArchiveHasEachUseOfItsContents) {
     EXPECT_EQ(all.second.find("unpack"), std::string::npos) << all.second;
   EXPECT_NE(look({model, map, trees}).second.find("unpack it for what else it holds: 1 .csv"),
             std::string::npos);
-  EXPECT_NE(look({model, trees, light}).second.find("unpack it for what else it holds: 1 .csv"),
+  EXPECT_NE(look({model, trees, light})
+                .second.find("unpack it for what else it holds: l.ies (IES), 1 .csv"),
             std::string::npos);
 }
 
