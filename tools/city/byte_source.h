@@ -72,8 +72,8 @@ class NothingInside : public Error {
 /// archive one for each entry whose name ends with one of `endings` (in lower case: ".gml"), also
 /// where the entry lies in an archive in the archive, or is a stream itself (".gml.gz"), which is
 /// then read under its name without ".gz". Throws Error when the file is missing, empty, unreadable
-/// or a folder, or a broken archive; NothingInside for an archive without such entries. The reader of a
-/// document finds out whether it is of the kind that its name says.
+/// or a folder, or a broken archive; NothingInside for an archive without such entries. The reader
+/// of a document finds out whether it is of the kind that its name says.
 FileContents list_contents(const std::filesystem::path& file,
                            std::span<const std::string_view> endings);
 

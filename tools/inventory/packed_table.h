@@ -15,10 +15,10 @@ struct MemoryFile {
   std::string name, bytes;
 };
 
-/// Returns a table in a stream or an archive, and of a Shapefile the files that belong to it behind the
-/// first, whatever folder of the archive they lie in; none where the file is not packed. Text in
-/// UTF-16 is in UTF-8. Throws Error: an archive without a table, with several, broken, encrypted,
-/// or which unpacks to more than memory is meant for (SECURITY.md).
+/// Returns a table in a stream or an archive, and of a Shapefile the files that belong to it behind
+/// the first, whatever folder of the archive they lie in; none where the file is not packed. Text
+/// in UTF-16 is in UTF-8. Throws Error: an archive without a table, with several, broken,
+/// encrypted, or which unpacks to more than memory is meant for (SECURITY.md).
 std::vector<MemoryFile> unpack_table(const std::filesystem::path& file);
 
 /// Returns all of a document. Throws Error where there is more than 1 GB: `remedy` says what helps.

@@ -27,10 +27,10 @@ struct VectorFile {
 };
 
 /// Opens the file. GDAL has drivers that are programs in all but name (VRT, WFS, databases), so
-/// only those whose file is the table itself may open it. One in an archive or a stream is unpacked into
-/// memory, and there go texts that GDAL misreads (UTF-16, a CSV below titles, rows in JSON that is
-/// no GeoJSON), in a form that it reads. Throws Error: missing, no regular file, of no such format,
-/// broken.
+/// only those whose file is the table itself may open it. One in an archive or a stream is unpacked
+/// into memory, and there go texts that GDAL misreads (UTF-16, a CSV below titles, rows in JSON
+/// that is no GeoJSON), in a form that it reads. Throws Error: missing, no regular file, of no such
+/// format, broken.
 VectorFile open_vector_file(const InventoryFile& inventory);
 
 /// Returns the layer that the inventory names or the only one. Throws Error, with the names of the

@@ -24,9 +24,9 @@ bool is_named_as_companion(std::string_view name);
 bool is_about_heights(std::string_view name);
 
 /// Returns `path` itself unless it is a folder; then the files in it and in the folders inside
-/// whose names end as those of rasters, of these in streams (.gz), and of archives, sorted by path. Texts,
-/// names that begin with a dot, and what is_about_heights are passed over, the last with a note on
-/// stderr. Throws Error where a folder cannot be read or holds none.
+/// whose names end as those of rasters, of these in streams (.gz), and of archives, sorted by path.
+/// Texts, names that begin with a dot, and what is_about_heights are passed over, the last with a
+/// note on stderr. Throws Error where a folder cannot be read or holds none.
 std::vector<std::filesystem::path> list_raster_files(const std::filesystem::path& path);
 
 }  // namespace nightcity::terrain

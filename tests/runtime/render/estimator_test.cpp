@@ -150,10 +150,9 @@ TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
   EXPECT_LT(error(16), 0.9 * error(0));
 }
 
-// Some light would never be sampled, and the picture would silently be darker.
 // A red and a blue lamp in one place give the same luminance, and each pixel of a frame draws one
-// of them. Half of all pairs then draw one of each, and their pixels show both: three parts of their
-// own, whose weight is 1/2 + 1/2 (1 - 1/2), and one of their partner's.
+// of them. Half of all pairs then draw one of each, and their pixels show both: three parts of
+// their own, whose weight is 1/2 + 1/2 (1 - 1/2), and one of their partner's.
 TEST(Pairs, APixelShowsTheColoursOfAllSamplesThatItCombines) {
   Light red = lamp({0, 200, 0}, 5e6f), blue = red;
   red.colour_rgb9e5 = encode_rgb9e5({1 / 0.2126f, 0, 0});
@@ -183,9 +182,9 @@ TEST(Pairs, APixelShowsTheColoursOfAllSamplesThatItCombines) {
 
 // Of a red and a blue lamp as above, a pixel keeps one for some frames, so that its share of red in
 // a mean varies from pixel to pixel. A frame with a history of h frames keeps that sample with the
-// chance (h / (1 + h))^2, the pairwise weight of a history whose targets are its own, and two frames
-// are alike where none between them took another. From the fifth frame of a picture at rest on, h
-// is at most 5 where pixels span much.
+// chance (h / (1 + h))^2, the pairwise weight of a history whose targets are its own, and two
+// frames are alike where none between them took another. From the fifth frame of a picture at rest
+// on, h is at most 5 where pixels span much.
 TEST(History, IsShorterInMeansOfLargePixels) {
   constexpr int frames = 40;
   const auto expected_spread = [](double longest_at_rest) {
@@ -222,6 +221,7 @@ TEST(History, IsShorterInMeansOfLargePixels) {
   EXPECT_NEAR(measure_spread(60), expected_spread(5), 0.02);  // 0.7 m a pixel
 }
 
+// Some light would never be sampled, and the picture would silently be darker.
 TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
   render::RenderSettings settings;
   settings.sampling.near_share = 0.7f;

@@ -58,8 +58,8 @@ inline Baked bake_whole(const fs::path& recipe, const fs::path& out) {
   return Baked(out);
 }
 
-/// Expects that parts, merged, give the files and figures of the whole bake, for each number of parts. `folder`
-/// takes the bakes.
+/// Expects that parts, merged, give the files and figures of the whole bake, for each number of
+/// parts. `folder` takes the bakes.
 inline void expect_parts_as_whole(const fs::path& recipe, const fs::path& folder,
                                   const std::vector<std::uint32_t>& counts) {
   const Baked whole = bake_whole(recipe, folder / "whole");
