@@ -50,8 +50,8 @@ bool begins_as_osm(std::string_view start) {
   const auto holds = [start](std::string_view text) {
     return start.find(text) != std::string_view::npos;
   };
-  return is_osm_pbf(start) || is_o5m(start) || holds("<osm ") ||
-         holds("<osm>") || begins_as_osm_json(start);
+  return is_osm_pbf(start) || is_o5m(start) || holds("<osm ") || holds("<osm>") ||
+         begins_as_osm_json(start);
 }
 
 OsmData read_osm(std::span<const std::filesystem::path> files, std::size_t max_way_nodes) {

@@ -81,8 +81,8 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
       {paths_key(
            "files", city.files, folder, {.expand = inputs::city_files},
            R"(["buildings", "terrain.gml.gz"])",
-           "CityGML 1, 2 or 3, CityJSON 1.0 to 2.0 or CityJSONSeq and Wavefront OBJ files, plain or "
-           "packed (docs/recipe.md, Packed files). Paths are relative to the recipe. A folder "
+           "CityGML 1, 2 or 3, CityJSON 1.0 to 2.0 or CityJSONSeq and Wavefront OBJ files, plain "
+           "or packed (docs/recipe.md, Packed files). Paths are relative to the recipe. A folder "
            "stands for the city files in it and in the folders inside it."),
        text_key("crs", city.frame.crs_override, "\"EPSG:25833\"",
                 "Coordinate reference system of the files, in place of the one they name: an EPSG "
