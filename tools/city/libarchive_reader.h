@@ -1,4 +1,4 @@
-// What libarchive reads, in the terms of the readers here: bytes of sources, and Error.
+// A reader of archives and streams by libarchive: bytes come from sources, faults are Errors.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,7 @@
 namespace nightcity::city {
 namespace {
 
-/// Where an entry's bytes lie.
+/// Says where an entry's bytes lie.
 struct Piece {
   std::uint64_t offset = 0, size = 0;
   bool is_encrypted = false;

@@ -30,7 +30,7 @@ class SortedMap {
 
   /// Adds the elements of another file, behind which they have to be sorted.
   void add(const std::filesystem::path& file);
-  /// Of an element the newest version comes first.
+  /// Puts the newest version of an element before its older ones.
   void sort_newest_first();
   auto begin() const { return objects_.cbegin(); }
   auto end() const { return objects_.cend(); }

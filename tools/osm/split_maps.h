@@ -10,14 +10,14 @@
 
 namespace nightcity::osm {
 
-/// What stands in place of the files of such a map, as long as it is kept.
+/// These files stand in place of those of such a map, as long as they are kept.
 using JoinedMaps = std::vector<std::shared_ptr<ScratchFile>>;
 
-/// Where one of several files has ways or relations and no nodes, so that whoever reads it alone
-/// finds no places, the first file is read as all of them together (`osmium merge`) from now on
-/// and the others as empty; of several versions of an element the newest is there. Else, and where
-/// the files are too large to be sorted in memory or hold an editor's ids, returns nothing: of
-/// most maps the first element alone is looked at. Broken files are left to their readers.
+/// Joins the files where one of them has ways or relations and no nodes, so that whoever reads it
+/// alone finds no places: from now on the first is read as all of them together (`osmium merge`),
+/// with the newest version of each element, and the others as empty. Returns nothing for other
+/// files, most of which it looks at no further than their first element, and where they are too
+/// large to be sorted in memory or hold an editor's ids. Broken files are left to their readers.
 JoinedMaps join_split_maps(std::span<const std::filesystem::path> files);
 
 }  // namespace nightcity::osm

@@ -1,11 +1,9 @@
 #include "tools/osm/tag_values.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
-#include <unordered_map>
 #include <utility>
 
 namespace nightcity::osm {

@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 4> raster_endings{".tif", ".tiff", ".asc"
 constexpr std::array<std::string_view, 6> other_endings{".pbf", ".osm", ".ies",
                                                         ".ldt", ".gml", ".obj"};
 
-// What of an archive the looks have taken.
+// The contents of an archive that looks have found a use for.
 struct Taken {
   std::set<inputs::FileKind> kinds;
   bool tables = false, rasters = false;

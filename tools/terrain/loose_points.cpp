@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -16,6 +15,7 @@
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
+#include "tools/decimal.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -140,7 +140,7 @@ class TableReader {
                    [](char c) { return c == ',' ? '.' : c; });
     double value = 0;
     const char* const end = plain.data() + word.size();
-    const auto [stop, error] = std::from_chars(plain.data(), end, value);
+    const auto [stop, error] = parse_decimal(plain.data(), end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
     return value;
   }
@@ -173,7 +173,7 @@ std::optional<Axis> find_axis(std::vector<double> values) {
     if (const double distance = values[i] - values[i - 1]; distance > least)
       step = std::min(step, distance);
   if (!(range > 0) || range / step > max_count) return std::nullopt;
-  // Of rounded values the smallest distance is too short: the whole range tells the mean.
+  // Rounding makes the smallest distance too short: the whole range tells the mean.
   const double count = std::round(range / step);
   return Axis{values.front(), range / count, static_cast<std::size_t>(count) + 1};
 }

@@ -180,9 +180,9 @@ TEST(Pairs, APixelShowsTheColoursOfAllSamplesThatItCombines) {
   EXPECT_NEAR(mixed_share(1), 0.5, 0.06);
 }
 
-// Of a red and a blue lamp as above, a pixel keeps one for some frames, so that its share of red in
-// a mean varies from pixel to pixel. A frame with a history of h frames keeps that sample with the
-// chance (h / (1 + h))^2, the pairwise weight of a history whose targets are its own, and two
+// A pixel keeps one of a red and a blue lamp, as above, for some frames, so that its share of red
+// in a mean varies from pixel to pixel. A frame with a history of h frames keeps that sample with
+// the chance (h / (1 + h))^2, the pairwise weight of a history whose targets are its own, and two
 // frames are alike where none between them took another. From the fifth frame of a picture at rest
 // on, h is at most 5 where pixels span much.
 TEST(History, IsShorterInMeansOfLargePixels) {

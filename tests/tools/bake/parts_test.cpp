@@ -34,7 +34,7 @@ TEST(Parts, AnyNumberOfThemGivesTheBytesOfTheWholeBake) {
   expect_parts_as_whole(folder / "town.toml", folder.path(), {1, 2, 3, 16});
 }
 
-// What the file does not say is counted in the part that reads it.
+// The part that reads a file counts what the file does not say.
 TEST(Parts, BuildingsOfAMapAreCountedAsInTheWholeBake) {
   const TempFolder folder;
   std::string map = "<osm version=\"0.6\">\n";

@@ -33,7 +33,7 @@ class HostileArchive : public testing::Test {
     EXPECT_NE(said.find((folder_ / name).string()), std::string::npos) << said;
   }
 
-  // Of a size that no form packs into less than some hundred bytes.
+  // It has a size that no form packs into less than some hundred bytes.
   static test::ZipFiles two_houses() {
     const std::string a = test::city_model(test::member(test::building("a")));
     std::string noise;
@@ -53,7 +53,7 @@ TEST_F(HostileArchive, WhatIsCutOffIsBrokenWhereverItIsCut) {
     // libarchive's tar ends with 10 kB of zeros, and a stored archive with a mark of 7 bytes.
     const std::size_t end = form == ".tar" ? whole.size() - 9300 : whole.size() - 9;
     for (const std::size_t size : {whole.size() / 3, whole.size() / 2, whole.size() * 2 / 3, end}) {
-      // Of the others the last bytes are sums and marks; of compress they are the end's zeros.
+      // The others end with sums and marks; compress ends with zeros.
       if (size > end || (form == ".tar.Z" && size == end)) continue;
       expect("a" + form, whole.substr(0, size), "broken");
       EXPECT_EQ(objects_, 0u) << form << size;

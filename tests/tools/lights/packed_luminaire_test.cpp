@@ -31,7 +31,7 @@ TEST(PackedLuminaire, EveryFormHoldsTheSameLight) {
     const auto path = folder / ("a" + std::string(form));
     test::pack_archive(path, {{"sheet.pdf", "%PDF"}, {"meta.xml", "<a/>"}, {"ies/a.ies", below}});
     EXPECT_NEAR(flux_of(path), expected, 1e-9) << form;
-    // What GLDF is, in any form.
+    // This is what a GLDF is, in any form.
     test::pack_archive(path, {{"product.xml", product}, {"ldc/b.ies", "x"}, {"ldc/a.ies", below}});
     EXPECT_NEAR(flux_of(path), expected, 1e-9) << form;
   }
